@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <lightcuts/certified_error.h>
+#include <lightcuts/contribution.h>
+#include <lightcuts/error_bound.h>
+#include <lightcuts/input_error.h>
+#include <lightcuts/light_tree.h>
+#include <lightcuts/rounding.h>
+
+namespace lightcuts {
+
+struct CutConfig {
+  float threshold = 0.02F;       ///< error bound per cluster, relative to the total; default 0.02
+  std::uint32_t max_size = 1000; ///< largest number of clusters in a cut, >= 1; default 1000
+  float black_level = 0;         ///< a bound up to this radiance is always good enough; default 0
+};
+
+/// Throws InputError, naming the field: threshold and black_level are >= 0, max_size >= 1.
+inline void validate(const CutConfig& config) {
+  if (!(config.threshold >= 0))
+    throw InputError("threshold: must be a number that is not negative");
+  if (!(config.black_level >= 0))
+    throw InputError("black_level: must be a number that is not negative");
+  if (config.max_size == 0) throw InputError("max_size: a cut has at least 1 cluster");
+}
+
+/// One cluster of a cut.
+struct CutCluster {
+  std::uint32_t node;
+  glm::dvec3 transfer; ///< of the node's representative, occlusion included, 1/(m^2 sr)
+  glm::vec3 bound;     ///< of the cluster's error, radiance; 0 for a leaf
+
+  /// Radiance that the cluster is taken to contribute.
+  [[nodiscard]] glm::dvec3 estimate(const LightTree& tree) const {
+    return transfer * tree.node(node).intensity;
+  }
+};
+
+/// Why refinement ended.
+enum class CutEnd {
+  converged,   ///< every bound obeys the threshold
+  black_level, ///< every bound obeys the threshold or is at most black_level, and one needed that
+  max_size     ///< the largest size was reached first
+};
+
+/// What a CutSelector found; valid until its next call.
+struct Cut {
+  glm::vec3 radiance{0};                ///< sum of the estimates; +inf above the largest float
+  glm::vec3 certified_error{0};         ///< >= |radiance - exact|, rounding included
+  std::span<const CutCluster> clusters; ///< a partition of the lights
+  std::uint32_t shadow_rays = 0;        ///< calls of `visible`
+  CutEnd end = CutEnd::converged;
+};
+
+/// The parts of the algorithm that decide its correctness, apart so that the oracle can put a
+/// broken one in their place and see that it is found out.
+struct LightcutsRules {
+  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
+    return contribution_bound(tree.node(node), point);
+  }
+  /// Whether a cluster with the first key is refined before one with the second.
+  static bool refined_before(double key, double other) { return key > other; }
+  /// Whether to stop when the next cluster in turn obeys the threshold.
+  template <class AllObey>
+  static bool stops(AllObey&& all_obey) {
+    return all_obey();
+  }
+};
+
+/// Picks the cut of a light tree for one shading point after another (Walter et al. 2005, section
+/// 3.3). Starts at the root; replaces the cluster of the largest relative bound by its two children
+/// until every cluster's bound is, in each channel, at most
+///   max(threshold x estimated total, black_level)
+/// or max_size is reached. What else is pinned down:
+/// - a leaf has bound 0; a channel without light has bound 0;
+/// - at a dark point (total 0) refinement ends once every bound is at most black_level;
+/// - no node's bound and no light's visibility is evaluated twice for one point;
+/// - the test is made on the total summed anew over the cut, so that nothing drifts;
+/// - bounds are compared relative to the total as it was when the size last doubled; between equal
+///   ones the older cluster goes first.
+/// One selector per thread; no allocation once the largest cut has been seen.
+template <class Rules>
+class BasicCutSelector {
+public:
+  /// The tree must outlive the selector. Throws InputError, naming the field, where the
+  /// configuration is NaN or out of its domain.
+  explicit BasicCutSelector(const LightTree& tree, const CutConfig& config = {})
+      : tree_(&tree), config_(config) {
+    validate(config);
+  }
+
+  /// visible(i) tells whether light i of the LightSet is seen from the point; called only for
+  /// lights that would contribute.
+  template <class Visible>
+  Cut operator()(const ShadingPoint& point, Visible&& visible) {
+    start();
+    if (tree_->empty()) return {};
+    add_root(point, visible);
+    while (clusters_.size() < config_.max_size && !done()) {
+      refine(point, visible);
+      if (clusters_.size() >= 2 * keyed_at_size_) rekey();
+    }
+    return finished();
+  }
+
+private:
+  using Keyed = std::pair<double, std::uint32_t>; ///< key, index into clusters_
+
+  static bool after(const Keyed& a, const Keyed& b) {
+    if (a.first != b.first) return Rules::refined_before(b.first, a.first);
+    return a.second > b.second;
+  }
+
+  void start() {
+    clusters_.clear();
+    queue_.clear();
+    total_ = glm::dvec3(0);
+    shadow_rays_ = 0;
+  }
+
+  template <class Visible>
+  void add_root(const ShadingPoint& point, Visible& visible) {
+    clusters_.push_back(evaluated(0, point, visible));
+    total_ = clusters_[0].estimate(*tree_);
+    rekey();
+  }
+
+  template <class Visible>
+  CutCluster evaluated(std::uint32_t node, const ShadingPoint& point, Visible& visible) {
+    return {node, seen_transfer(tree_->node(node).representative, point, visible),
+            bound(node, point)};
+  }
+
+  glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) const {
+    return tree_->node(node).is_leaf() ? glm::vec3(0) : Rules::bound(*tree_, node, point);
+  }
+
+  template <class Visible>
+  glm::dvec3 seen_transfer(std::uint32_t light, const ShadingPoint& point, Visible& visible) {
+    const glm::dvec3 open = transfer(point, tree_->lights()[light].position);
+    if (open == glm::dvec3(0)) return open;
+    ++shadow_rays_;
+    return visible(light) ? open : glm::dvec3(0);
+  }
+
+  bool done() {
+    if (!queue_.empty() && !obeys(clusters_[queue_.front().second])) return false;
+    if (Rules::stops([this] { return all_obey(); })) return true;
+    rekey(); // the order was by an older total
+    return queue_.empty();
+  }
+
+  /// Replaces the first cluster of the queue by its children; the one that has its representative
+  /// takes its place, evaluated already but for the bound.
+  template <class Visible>
+  void refine(const ShadingPoint& point, Visible& visible) {
+    std::pop_heap(queue_.begin(), queue_.end(), after);
+    const std::uint32_t place = queue_.back().second;
+    queue_.pop_back();
+    const TreeNode& parent = tree_->node(clusters_[place].node);
+    std::uint32_t heir = parent.first_child;
+    std::uint32_t other = heir + 1;
+    if (tree_->node(heir).representative != parent.representative) std::swap(heir, other);
+
+    total_ -= clusters_[place].estimate(*tree_);
+    clusters_[place] = {heir, clusters_[place].transfer, bound(heir, point)};
+    clusters_.push_back(evaluated(other, point, visible));
+    total_ += clusters_[place].estimate(*tree_) + clusters_.back().estimate(*tree_);
+    push(place);
+    push(static_cast<std::uint32_t>(clusters_.size() - 1));
+  }
+
+  void push(std::uint32_t place) {
+    const double k = key(clusters_[place].bound);
+    if (k == 0) return;
+    queue_.emplace_back(k, place);
+    std::push_heap(queue_.begin(), queue_.end(), after);
+  }
+
+  [[nodiscard]] double key(const glm::vec3& bound) const {
+    return std::max({bound.x * weight_.x, bound.y * weight_.y, bound.z * weight_.z});
+  }
+
+  /// Sums the total anew and orders all clusters by their bounds relative to it.
+  void rekey() {
+    total_ = summed();
+    // A nearly dark channel must not drown the others; nor may 1/0 meet a bound of 0.
+    const double least =
+        std::max({0x1p-10 * total_.x, 0x1p-10 * total_.y, 0x1p-10 * total_.z, 0x1p-800});
+    for (int c = 0; c < 3; ++c) weight_[c] = 1 / std::max(total_[c], least);
+    keyed_at_size_ = clusters_.size();
+    queue_.clear();
+    for (std::uint32_t i = 0; i < clusters_.size(); ++i)
+      if (const double k = key(clusters_[i].bound); k > 0) queue_.emplace_back(k, i);
+    std::make_heap(queue_.begin(), queue_.end(), after);
+  }
+
+  [[nodiscard]] glm::dvec3 summed() const {
+    glm::dvec3 sum(0);
+    for (const CutCluster& c : clusters_) sum += c.estimate(*tree_);
+    return sum;
+  }
+
+  [[nodiscard]] bool obeys(const CutCluster& cluster) const {
+    for (int c = 0; c < 3; ++c)
+      if (cluster.bound[c] > config_.threshold * total_[c] &&
+          cluster.bound[c] > config_.black_level)
+        return false;
+    return true;
+  }
+
+  /// On the total summed anew.
+  bool all_obey() {
+    total_ = summed();
+    return std::all_of(clusters_.begin(), clusters_.end(),
+                       [this](const CutCluster& c) { return obeys(c); });
+  }
+
+  [[nodiscard]] bool needed_black_level() const {
+    return std::any_of(clusters_.begin(), clusters_.end(), [this](const CutCluster& c) {
+      return c.bound.x > config_.threshold * total_.x || c.bound.y > config_.threshold * total_.y ||
+             c.bound.z > config_.threshold * total_.z;
+    });
+  }
+
+  Cut finished() {
+    Cut cut;
+    const bool obeyed = all_obey();
+    if (!obeyed)
+      cut.end = CutEnd::max_size;
+    else if (config_.black_level > 0 && needed_black_level())
+      cut.end = CutEnd::black_level;
+    glm::dvec3 error(0);
+    for (const CutCluster& c : clusters_) error += glm::dvec3(c.bound);
+    for (int c = 0; c < 3; ++c) {
+      cut.radiance[c] = to_float(total_[c]);
+      cut.certified_error[c] = certified_error(total_[c], error[c]);
+    }
+    cut.clusters = clusters_;
+    cut.shadow_rays = shadow_rays_;
+    return cut;
+  }
+
+  const LightTree* tree_;
+  CutConfig config_;
+  std::vector<CutCluster> clusters_;
+  std::vector<Keyed> queue_; ///< heap of the clusters with a bound above 0
+  glm::dvec3 total_{0};
+  glm::dvec3 weight_{1};
+  std::size_t keyed_at_size_ = 1;
+  std::uint32_t shadow_rays_ = 0;
+};
+
+using CutSelector = BasicCutSelector<LightcutsRules>;
+
+} // namespace lightcuts

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/tree_builder.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "cluster_index.h"
+#include <lightcuts/input_error.h>
+
+namespace lightcuts {
+namespace {
+
+using Children = std::pair<std::uint32_t, std::uint32_t>;
+
+double sum_of_channels(const glm::dvec3& v) { return v.x + v.y + v.z; }
+
+/// Uniform in [0, 1), the same for the same arguments (splitmix64).
+double hashed_uniform(std::uint64_t seed, std::uint32_t a, std::uint32_t b) {
+  std::uint64_t z = seed + 0x9e3779b97f4a7c15U * (1 + ((std::uint64_t(a) << 32) | b));
+  for (const std::uint64_t factor : {0xbf58476d1ce4e5b9U, 0x94d049bb133111ebU}) {
+    z = (z ^ (z >> 30)) * factor;
+    z ^= z >> 28;
+  }
+  return double(z >> 11) * 0x1p-53;
+}
+
+/// Greedy clustering by nearest-neighbour chains: from any cluster follow cheapest partners until
+/// two are each other's, and merge those. Costs never fall when clusters merge, and pairs are
+/// ordered strictly (cost, then ids), so this makes the same merges as taking the cheapest pair of
+/// all each time, in another order (Murtagh 1983; Walter et al. 2008, section 3.2).
+class Clustering {
+public:
+  Clustering(const LightSet& lights, std::uint64_t seed) : seed_(seed) {
+    const std::size_t total = 2 * lights.size() - 1;
+    nodes_.reserve(total);
+    for (std::uint32_t i = 0; i < lights.size(); ++i) {
+      const Box box{lights[i].position, lights[i].position};
+      nodes_.push_back({box, glm::dvec3(lights[i].intensity), 0, i, 1});
+    }
+    children_.resize(total);
+  }
+
+  /// Merges until one cluster is left.
+  void run() {
+    std::vector<Cluster> left;
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i)
+      left.push_back({nodes_[i].box, sum_of_channels(nodes_[i].intensity), i, i});
+    while (left.size() > 1) {
+      ClusterIndex index(std::move(left));
+      merge_half(index);
+      left = index.clusters();
+    }
+  }
+
+  /// The tree as LightTree wants it: node 0 the root, siblings together, parents before children.
+  [[nodiscard]] std::vector<TreeNode> laid_out() const {
+    std::vector<TreeNode> result;
+    result.reserve(nodes_.size());
+    result.push_back(nodes_.back());
+    std::vector<Children> open{{static_cast<std::uint32_t>(nodes_.size() - 1), 0}};
+    while (!open.empty()) {
+      const auto [cluster, place] = open.back();
+      open.pop_back();
+      if (nodes_[cluster].light_count == 1) continue;
+      const auto [a, b] = children_[cluster];
+      const auto first = static_cast<std::uint32_t>(result.size());
+      result[place].first_child = first;
+      result.push_back(nodes_[a]);
+      result.push_back(nodes_[b]);
+      open.emplace_back(b, first + 1);
+      open.emplace_back(a, first);
+    }
+    return result;
+  }
+
+private:
+  /// Merges until half of the index's clusters have gone.
+  void merge_half(ClusterIndex& index) {
+    const std::size_t clusters = index.clusters().size();
+    std::size_t merges = clusters - std::max<std::size_t>(clusters / 2, 1);
+    std::vector<std::uint32_t> chain;
+    for (std::uint32_t start = 0; merges > 0;) {
+      if (chain.empty()) {
+        while (!index.holds_cluster(start)) start = (start + 1) % index.slot_count();
+        chain.push_back(start);
+      }
+      const std::uint32_t partner = index.nearest(chain.back()).slot;
+      if (chain.size() < 2 || partner != chain[chain.size() - 2]) {
+        chain.push_back(partner);
+        continue;
+      }
+      merge(index, chain.back(), partner);
+      chain.resize(chain.size() - 2);
+      --merges;
+    }
+  }
+
+  void merge(ClusterIndex& index, std::uint32_t slot_a, std::uint32_t slot_b) {
+    if (index.at(slot_b).id < index.at(slot_a).id) std::swap(slot_a, slot_b);
+    const Cluster& a = index.at(slot_a);
+    const Cluster& b = index.at(slot_b);
+    const TreeNode& node_a = nodes_[a.node];
+    const TreeNode& node_b = nodes_[b.node];
+    Box box = a.box;
+    box.extend(b.box);
+    const auto merged = static_cast<std::uint32_t>(nodes_.size());
+    children_[merged] = {a.node, b.node};
+    nodes_.push_back({box, node_a.intensity + node_b.intensity, 0,
+                      (takes_first(a, b) ? node_a : node_b).representative,
+                      node_a.light_count + node_b.light_count});
+    index.replace(slot_a, slot_b, {box, a.weight + b.weight, a.id, merged});
+  }
+
+  [[nodiscard]] bool takes_first(const Cluster& a, const Cluster& b) const {
+    return hashed_uniform(seed_, a.id, b.id) * (a.weight + b.weight) < a.weight;
+  }
+
+  std::uint64_t seed_;
+  std::vector<TreeNode> nodes_; ///< the lights, then the merged clusters
+  std::vector<Children> children_;
+};
+
+} // namespace
+
+LightTree build(const LightSet& lights, const BuildConfig& config) {
+  if (lights.empty()) return {};
+  if (lights.size() > (std::size_t(1) << 31))
+    throw InputError("more than 2^31 lights: a tree node's index has 32 bits");
+  Clustering clustering(lights, config.seed);
+  clustering.run();
+  return {lights, clustering.laid_out()};
+}
+
+} // namespace lightcuts
