@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace lightcuts {
+
+/// An 8-bit sRGB colour.
+using Rgb8 = glm::vec<3, std::uint8_t>;
+
+inline constexpr Rgb8 nan_colour{255, 0, 255};                 ///< magenta
+inline constexpr Rgb8 infinity_colour{0, 255, 255};            ///< cyan: +infinity
+inline constexpr Rgb8 negative_infinity_colour{255, 255, 255}; ///< white
+
+/// The sRGB encoding of a linear colour, clamped to [0, 1]; NaN counts as 0.
+[[nodiscard]] Rgb8 srgb8(const glm::vec3& linear);
+
+/// Which value gets which colour.
+struct HeatMapScale {
+  float lo = 0;             ///< the darkest colour, for this value and those below
+  float hi = 1;             ///< the brightest colour, for this value and those above
+  bool logarithmic = false; ///< equal ratios, not equal differences, get equal steps; needs lo > 0
+};
+
+/// Where `value` lies on the scale: 0 at lo, 1 at hi, clamped. Where lo = hi: 0 up to lo, 1 above.
+/// value not NaN.
+[[nodiscard]] float fraction_of(float value, const HeatMapScale& scale);
+
+/// The value at `fraction` in [0, 1] of the scale.
+[[nodiscard]] float value_at(float fraction, const HeatMapScale& scale);
+
+/// The colour of `value`: the perceptually even map "inferno", and the colours above for NaN and
+/// infinities. Safe to call from many threads.
+[[nodiscard]] Rgb8 heat_colour(float value, const HeatMapScale& scale);
+
+/// Writes `values` (size.x * size.y, row by row) as a PNG in heat_colour, with a colour bar and
+/// its smallest, middle and largest value in a strip below. The numbers are left out where the
+/// picture is too narrow or the font "DejaVuSans" is missing. Throws InputError, naming the file,
+/// where it cannot be written or the scale is not finite with lo <= hi (0 < lo if logarithmic).
+void write_heat_map(const std::filesystem::path& file, glm::uvec2 size,
+                    std::span<const float> values, const HeatMapScale& scale);
+
+} // namespace lightcuts

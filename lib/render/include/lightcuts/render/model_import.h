@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include <lightcuts/render/scene.h>
+
+namespace lightcuts {
+
+/// Reads a Wavefront `.obj` with its `.mtl`, or a glTF 2.0 `.gltf`/`.glb`.
+///
+/// Everything comes out in world space, in the file's units. Kept: triangles (polygons are cut
+/// up), normals where present, one surface per material in use, glTF's omni ("point") lights with
+/// candela taken as W/sr, glTF's first perspective camera. Colours are the materials' factors.
+/// - MTL: diffuse Kd, specular Ks, exponent Ns, emission Ke. Ka, illum and opacity do nothing.
+/// - glTF: metallic-roughness as Phong: diffuse = base (1 - metallic)(1 - 0.04), specular =
+///   mix(0.04, base, metallic), exponent = 2/alpha^2 - 2 with alpha = roughness^2.
+/// Whatever was left out, made up or clamped is said in Scene::notes. Without a camera in the file
+/// the model is framed (see `framing`). A model without lights is no error.
+///
+/// Throws InputError, one line with the file's name, where the file cannot be opened, is not what
+/// its name says, is truncated, has no triangles, or holds a value outside its domain.
+[[nodiscard]] Scene import_model(const std::filesystem::path& file);
+
+/// Adds a model to a scene: triangles, surfaces, lights, notes. Returns whether the file had a
+/// camera, which then is the scene's. For scenes of several models; throws as import_model does.
+bool append_model(const std::filesystem::path& file, Scene& scene);
+
+/// A camera that shows the whole mesh: from the front and above at three quarters, or, where that
+/// sees clearly deeper into the mesh (a room open to one side), straight along an axis.
+/// The mesh must have triangles.
+[[nodiscard]] Camera framing(const TriangleMesh& mesh);
+
+} // namespace lightcuts

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <lightcuts/cut_selector.h>
+#include <lightcuts/light_tree.h>
+#include <lightcuts/render/scene_view.h>
+
+namespace lightcuts {
+
+/// What a scene needs of the algorithm, found once; what it does not need is left out.
+struct Needs {
+  bool specular = false;  ///< some surface has a Phong lobe
+  bool occlusion = false; ///< something may come between a surface and a light: cast shadow rays
+  bool tree = false;      ///< cuts are expected to cost less than all lights
+
+  // What the last one was decided by: means over a grid of pixels that see a surface.
+  double pilot_cut_size = 0;     ///< clusters per cut at the given threshold
+  double pilot_cost_of_cuts = 0; ///< in units of the next one
+  double pilot_cost_of_sums = 1; ///< of summing all lights
+
+  /// Radiance under which a cluster's error cannot be seen: 2^-11 of the pilot's mean radiance,
+  /// about half the smallest step of an 8-bit picture that shows the mean at 18 % grey.
+  float black_level = 0;
+};
+
+/// Looks at the scene, and at cuts for about 200 pixels chosen by position. Decides by counting
+/// (clusters, rays, lights), never by the clock: same inputs, same answer.
+[[nodiscard]] Needs find_needs(const SceneView& view, const LightTree& tree,
+                               const CutConfig& config);
+
+} // namespace lightcuts

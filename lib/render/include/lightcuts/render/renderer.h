@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <lightcuts/cut_selector.h>
+#include <lightcuts/light_tree.h>
+#include <lightcuts/render/scene_view.h>
+
+namespace lightcuts {
+
+/// How pixels are lit.
+enum class Method {
+  reference, ///< every light on its own
+  lightcuts  ///< a cut of the light tree, of fixed scaled representatives
+};
+
+/// The methods by the names that the command line and reports use.
+[[nodiscard]] const char* name_of(Method method);
+[[nodiscard]] std::optional<Method> method_named(std::string_view name);
+
+struct RenderConfig {
+  Method method = Method::lightcuts;
+  CutConfig cut;                        ///< for Method::lightcuts
+  bool use_tree = true;                 ///< false: lightcuts sums all lights, see Needs::tree
+  unsigned threads = 0;                 ///< 0: one per core; default 0
+  std::function<void(double)> progress; ///< called with the share done, by any thread; may be empty
+};
+
+/// One picture, row by row from the top left. Where a pixel sees no surface all is 0.
+struct Rendering {
+  glm::uvec2 size{0};
+  std::vector<glm::vec3> radiance;        ///< reflected towards the camera; emission is not in it
+  std::vector<glm::vec3> certified_error; ///< |radiance - exact| is at most this
+  std::vector<glm::vec3> emission;        ///< of the surface itself
+  std::vector<float> cut_size;            ///< clusters (lightcuts) or lights (reference)
+  std::vector<float> shadow_rays;
+  std::vector<float> microseconds; ///< wall time of the pixel
+  std::vector<CutEnd> end;
+  std::uint64_t surface_pixels = 0; ///< pixels that see a surface
+  double seconds = 0;               ///< wall time of the whole, primary rays included
+};
+
+/// Renders in tiles over the threads. All but the times are the same bits for any number of
+/// threads.
+[[nodiscard]] Rendering render(const SceneView& view, const LightTree& tree,
+                               const RenderConfig& config);
+
+} // namespace lightcuts

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <lightcuts/light_set.h>
+#include <lightcuts/material.h>
+
+namespace lightcuts {
+
+/// What a triangle is made of.
+struct Surface {
+  std::string name;
+  Material material;
+  glm::vec3 emission{0}; ///< radiance seen by the camera, W/(m^2 sr); it lights nothing
+};
+
+/// All triangles of a scene in world space, metres.
+struct TriangleMesh {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;     ///< per position, unit; (0,0,0) means: use the face's normal
+  std::vector<glm::uvec3> triangles;  ///< indices into positions
+  std::vector<std::uint32_t> surface; ///< per triangle, index into Scene::surfaces
+};
+
+/// Pinhole camera; +y of the image is down.
+struct Camera {
+  glm::vec3 position{0, 0, 1};
+  glm::vec3 target{0, 0, 0};
+  glm::vec3 up{0, 1, 0};
+  float vertical_fov = 45; ///< degrees, in (0, 180)
+};
+
+struct Scene {
+  std::string name;
+  TriangleMesh mesh;
+  std::vector<Surface> surfaces;
+  LightSet lights;
+  Camera camera;
+  glm::uvec2 image_size{640, 480};
+  std::vector<std::string> notes; ///< what the reader of the scene left out or made up, one line each
+};
+
+} // namespace lightcuts

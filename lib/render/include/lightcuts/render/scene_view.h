@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <lightcuts/render/camera.h>
+#include <lightcuts/render/occluder.h>
+#include <lightcuts/render/scene.h>
+#include <lightcuts/shading_point.h>
+
+namespace lightcuts {
+
+/// What a pixel shows.
+struct VisiblePoint {
+  ShadingPoint point;
+  glm::vec3 ray_origin; ///< where shadow rays start: off the surface, on the viewer's side
+  glm::vec3 emission;   ///< radiance of the surface itself
+};
+
+/// A scene as its camera sees it, one point per pixel, and what light reaches there. All const
+/// functions may be called from many threads.
+class SceneView {
+public:
+  /// The scene must be valid (see validate()) and outlive the view.
+  explicit SceneView(const Scene& scene);
+
+  [[nodiscard]] const Scene& scene() const { return *scene_; }
+  [[nodiscard]] const Occluder& occluder() const { return occluder_; }
+  [[nodiscard]] glm::uvec2 size() const { return scene_->image_size; }
+
+  /// Whether anything can come between a visible surface and a light; without it, nothing is cast.
+  [[nodiscard]] bool may_occlude() const { return may_occlude_; }
+
+  /// The surface seen at the centre of the pixel, if any.
+  [[nodiscard]] std::optional<VisiblePoint> at(glm::uvec2 pixel) const;
+
+  /// Whether light i is seen from there.
+  [[nodiscard]] bool sees(const VisiblePoint& from, std::uint32_t light) const {
+    return !may_occlude_ ||
+           !occluder_.occluded(shadow_ray(from.ray_origin, scene_->lights[light].position));
+  }
+
+private:
+  const Scene* scene_;
+  Occluder occluder_;
+  PinholeView camera_;
+  bool may_occlude_;
+};
+
+} // namespace lightcuts

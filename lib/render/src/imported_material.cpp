@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "imported_material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <assimp/GltfMaterial.h>
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <lightcuts/input_error.h>
+
+namespace lightcuts {
+namespace {
+
+constexpr float dielectric = 0.04F; // reflectance of glass and plastic at normal incidence
+
+glm::vec3 colour(const aiMaterial& material, const char* key, unsigned type, unsigned index) {
+  aiColor4D c(0, 0, 0, 1);
+  material.Get(key, type, index, c);
+  return {c.r, c.g, c.b};
+}
+
+float number(const aiMaterial& material, const char* key, unsigned type, unsigned index,
+             float otherwise) {
+  material.Get(key, type, index, otherwise);
+  return otherwise;
+}
+
+Material from_mtl(const aiMaterial& source, const std::string& where,
+                  std::vector<std::string>& notes) {
+  Material material{colour(source, AI_MATKEY_COLOR_DIFFUSE),
+                    colour(source, AI_MATKEY_COLOR_SPECULAR),
+                    number(source, AI_MATKEY_SHININESS, 0)};
+  if (std::isfinite(material.exponent) && material.exponent > Material::max_exponent) {
+    notes.push_back(fmt::format("{}: exponent {} is clamped to {}", where, material.exponent,
+                                Material::max_exponent));
+    material.exponent = Material::max_exponent;
+  }
+  return material;
+}
+
+float unit_factor(float value, const char* name, const std::string& where) {
+  if (!(value >= 0 && value <= 1))
+    throw InputError(fmt::format("{}: {} is {}, expected 0 to 1", where, name, value));
+  return value;
+}
+
+Material from_metallic_roughness(const aiMaterial& source, const std::string& where) {
+  const glm::vec3 base = colour(source, AI_MATKEY_BASE_COLOR);
+  const float metallic =
+      unit_factor(number(source, AI_MATKEY_METALLIC_FACTOR, 1), "metallicFactor", where);
+  const float roughness =
+      unit_factor(number(source, AI_MATKEY_ROUGHNESS_FACTOR, 1), "roughnessFactor", where);
+  const float alpha = roughness * roughness;
+  const float exponent = 2 / (alpha * alpha) - 2; // infinite at 0
+  return {base * (1 - metallic) * (1 - dielectric), glm::mix(glm::vec3(dielectric), base, metallic),
+          std::clamp(exponent, 0.0F, Material::max_exponent)};
+}
+
+} // namespace
+
+Surface surface_of(const aiMaterial& source, bool is_gltf, const std::string& where,
+                   std::vector<std::string>& notes) {
+  Surface surface;
+  surface.name = source.GetName().C_Str();
+  surface.material =
+      is_gltf ? from_metallic_roughness(source, where) : from_mtl(source, where, notes);
+  surface.emission = colour(source, AI_MATKEY_COLOR_EMISSIVE);
+  try {
+    validate(surface.material);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", where, error.what()));
+  }
+  for (int c = 0; c < 3; ++c)
+    if (!std::isfinite(surface.emission[c]) || surface.emission[c] < 0)
+      throw InputError(fmt::format("{}: emission.{} is {}, out of its domain", where, "rgb"[c],
+                                   surface.emission[c]));
+  return surface;
+}
+
+} // namespace lightcuts

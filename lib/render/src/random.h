@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace lightcuts {
+
+/// Random numbers that are the same bits everywhere, which the standard's distributions are not.
+/// SplitMix64 (Steele, Lea, Flood 2014).
+class Random {
+public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  /// The generator of element `index` of a sequence: elements can be made in any order.
+  Random(std::uint64_t seed, std::uint64_t index)
+      : state_(Random(seed).next() ^ Random(~index).next()) {}
+
+  std::uint64_t next() {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31);
+  }
+
+  /// In [0, 1), a multiple of 2^-24.
+  float unit() { return static_cast<float>(next() >> 40) * 0x1p-24F; }
+
+  /// In [lo, hi]; `lo <= hi`, finite. In double, so that hi - lo cannot overflow.
+  float between(float lo, float hi) {
+    return static_cast<float>(lo + (static_cast<double>(hi) - lo) * static_cast<double>(unit()));
+  }
+
+private:
+  std::uint64_t state_;
+};
+
+} // namespace lightcuts

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/render/scene_view.h>
+
+#include <lightcuts/render/convexity.h>
+#include <lightcuts/render/surface_point.h>
+
+namespace lightcuts {
+
+SceneView::SceneView(const Scene& scene)
+    : scene_(&scene), occluder_(scene.mesh), camera_(scene.camera, scene.image_size),
+      may_occlude_(!encloses_lights_convexly(scene.mesh, scene.lights)) {}
+
+std::optional<VisiblePoint> SceneView::at(glm::uvec2 pixel) const {
+  const glm::vec3 direction = camera_.direction(pixel);
+  const auto hit = occluder_.intersect(camera_.origin(), direction);
+  if (!hit) return std::nullopt;
+  const SurfacePoint s = surface_point(scene_->mesh, *hit, direction);
+  const Surface& surface = scene_->surfaces[scene_->mesh.surface[hit->triangle]];
+  return VisiblePoint{ShadingPoint(s.position, s.shading_normal, -direction, surface.material),
+                      s.ray_origin, surface.emission};
+}
+
+} // namespace lightcuts
