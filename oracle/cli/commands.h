@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace lightcuts::cli {
+
+/// A subcommand's work, run once the command line has been read; returns an Exit.
+using Action = std::function<int()>;
+
+// Each adds its subcommand with all options; `chosen` becomes its work when it is given.
+void add_check_command(CLI::App& app, Action& chosen);
+void add_info_command(CLI::App& app, Action& chosen);
+void add_mutants_command(CLI::App& app, Action& chosen);
+void add_render_command(CLI::App& app, Action& chosen);
+void add_report_command(CLI::App& app, Action& chosen);
+void add_scenes_command(CLI::App& app, Action& chosen);
+
+} // namespace lightcuts::cli

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "common.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include <lightcuts/input_error.h>
+#include <lightcuts/render/light_generator.h>
+#include <lightcuts/render/open_scene.h>
+#include <lightcuts/render/output_folder.h>
+
+namespace lightcuts::cli {
+namespace {
+
+std::optional<glm::uvec2> parse_size(const std::string& text) {
+  glm::uvec2 size(0);
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%5ux%5u%c", &size.x, &size.y, &rest) != 2) return std::nullopt;
+  return size;
+}
+
+std::string check_size(const std::string& text) {
+  return parse_size(text) ? "" : "'" + text + "' is not WIDTHxHEIGHT";
+}
+
+} // namespace
+
+float parse_threshold(const std::string& text) {
+  std::size_t used = 0;
+  float value = NAN;
+  try {
+    value = std::stof(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  const std::string unit = text.substr(used);
+  if (used == 0 || !(unit.empty() || unit == "%") || !(value >= 0) || std::isinf(value))
+    throw CLI::ValidationError("'" + text + "' is not a threshold such as 2% or 0.02");
+  return unit == "%" ? static_cast<float>(std::stod(text) / 100) : value;
+}
+
+std::string check_threshold(const std::string& text) {
+  try {
+    (void)parse_threshold(text);
+    return {};
+  } catch (const CLI::ValidationError& e) {
+    return e.what();
+  }
+}
+
+void add_common_options(CLI::App& command, CommonOptions& options) {
+  command
+      .add_option("SCENE", options.scene,
+                  "a built-in scene (see 'scenes'), or a .json, .obj, .gltf or .glb file")
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "of every random choice")->capture_default_str();
+  command.add_option("--threads", options.threads, "0: one per core")->capture_default_str();
+  command.add_option("--max-cut", options.max_cut, "largest number of clusters in a cut")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--size", options.size, "WIDTHxHEIGHT of the image; default: the scene's")
+      ->check(check_size);
+  command
+      .add_option("--lights", options.lights,
+                  "light the scene with so many random lights in its upper half instead of its "
+                  "own; default: the scene's")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--json", options.json,
+                     "write the results to this file as JSON; '-': to stdout, and no table; "
+                     "default: no JSON");
+}
+
+void add_threshold_option(CLI::App& command, CommonOptions& options) {
+  command
+      .add_option("--threshold", options.threshold,
+                  "error bound allowed per cluster, relative to the pixel's total")
+      ->check(check_threshold)
+      ->capture_default_str();
+}
+
+void add_out_option(CLI::App& command, CommonOptions& options) {
+  command.add_option("--out", options.out, "folder for the results; default: out/SCENE");
+}
+
+Scene open_scene_for(const CommonOptions& options) {
+  Scene scene = open_scene(options.scene);
+  if (!options.size.empty()) scene.image_size = *parse_size(options.size);
+  if (options.lights > 0) {
+    scene.lights = LightSet();
+    generate(default_cloud(scene.mesh, options.lights, options.seed), scene.lights);
+  }
+  validate(scene);
+  for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.name, note);
+  return scene;
+}
+
+Scene open_lit_scene_for(const CommonOptions& options) {
+  Scene scene = open_scene_for(options);
+  if (scene.lights.empty())
+    throw InputError(options.scene + ": no lights; add some with --lights 1000");
+  return scene;
+}
+
+std::filesystem::path output_folder_for(const CommonOptions& options) {
+  if (!options.out.empty()) return options.out;
+  std::string name = std::filesystem::path(options.scene).stem().string();
+  if (std::filesystem::path(options.scene).extension().empty()) name = options.scene;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.')
+      c = '-';
+  return std::filesystem::path("out") / name;
+}
+
+void print_results(const CommonOptions& options, const std::string& table,
+                   const std::string& json) {
+  if (options.json == "-") {
+    fmt::print("{}", json);
+    return;
+  }
+  fmt::print("{}", table);
+  if (!options.json.empty()) write_file_atomically(options.json, json);
+}
+
+} // namespace lightcuts::cli

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <glm/vec2.hpp>
+#include <lightcuts/render/scene.h>
+
+namespace lightcuts::cli {
+
+/// Exit codes of lightcuts-oracle.
+enum Exit { all_holds = 0, violated = 1, usage = 2, bad_input = 3, internal_error = 4 };
+
+/// Options that several commands have.
+struct CommonOptions {
+  std::string scene;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;
+  std::string threshold = "2%";
+  std::uint32_t max_cut = 1000;
+  std::string size;
+  std::uint32_t lights = 0;
+  std::string out;
+  std::string json;
+};
+
+/// Adds SCENE, --seed, --threads, --max-cut, --size, --lights and --json.
+void add_common_options(CLI::App& command, CommonOptions& options);
+void add_threshold_option(CLI::App& command, CommonOptions& options);
+void add_out_option(CLI::App& command, CommonOptions& options);
+
+/// "2%" or "0.02" as 0.02; throws CLI::ValidationError otherwise, or below 0.
+[[nodiscard]] float parse_threshold(const std::string& text);
+
+/// A CLI11 check: what is wrong with the text as a threshold, or nothing.
+[[nodiscard]] std::string check_threshold(const std::string& text);
+
+/// Opens options.scene and applies --size and --lights. Throws InputError; says on stderr what the
+/// reader of the scene noted.
+[[nodiscard]] Scene open_scene_for(const CommonOptions& options);
+
+/// The same for commands that cannot do without light: throws InputError where there is none.
+[[nodiscard]] Scene open_lit_scene_for(const CommonOptions& options);
+
+/// --out, or out/NAME after the scene.
+[[nodiscard]] std::filesystem::path output_folder_for(const CommonOptions& options);
+
+/// Prints the table on stdout and writes the JSON to --json, or only the JSON if that is stdout.
+void print_results(const CommonOptions& options, const std::string& table, const std::string& json);
+
+} // namespace lightcuts::cli

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "common.h"
+#include <lightcuts/oracle/measure.h>
+#include <lightcuts/render/bounds.h>
+#include <lightcuts/tree_builder.h>
+
+namespace lightcuts::cli {
+namespace {
+
+struct Facts {
+  std::size_t emissive = 0;
+  Box box;
+  std::vector<std::string> needed, left_out;
+  float black_level = 0;
+};
+
+Facts facts_of(const Scene& scene, const CommonOptions& options) {
+  Facts facts;
+  for (const std::uint32_t s : scene.mesh.surface)
+    facts.emissive += scene.surfaces[s].emission != glm::vec3(0) ? 1 : 0;
+  facts.box = scene_bounds(scene.mesh);
+  if (scene.lights.empty()) return facts;
+  const SceneView view(scene);
+  const LightTree tree = build(scene.lights, {options.seed});
+  const float threshold = parse_threshold(options.threshold);
+  const Needs needs = find_needs(view, tree, {threshold, options.max_cut, 0});
+  facts.black_level = needs.black_level;
+  oracle::describe_needs(view, needs, threshold, facts.needed, facts.left_out);
+  return facts;
+}
+
+std::string table_of(const Scene& scene, const Facts& facts) {
+  const glm::vec3& lo = facts.box.lo;
+  const glm::vec3& hi = facts.box.hi;
+  std::string text = fmt::format(
+      "scene        {}\ntriangles    {}\nsurfaces     {}\nlights       {} omni\nimage        "
+      "{} x {}\nbox          ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n",
+      scene.name, scene.mesh.triangles.size(), scene.surfaces.size(), scene.lights.size(),
+      scene.image_size.x, scene.image_size.y, lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
+  if (facts.emissive > 0)
+    text += fmt::format("emission     {} triangles glow for the camera; they light nothing\n",
+                        facts.emissive);
+  if (scene.lights.empty()) return text + "no lights: add some with --lights 1000\n";
+  text += fmt::format("black level  {:.3g} (radiance below which errors are not chased)\n",
+                      facts.black_level);
+  for (const std::string& line : facts.needed) text += "needed       " + line + "\n";
+  for (const std::string& line : facts.left_out) text += "left out     " + line + "\n";
+  return text;
+}
+
+std::string json_of(const Scene& scene, const Facts& facts) {
+  const nlohmann::ordered_json json{{"schema", "lightcuts-oracle/info/1"},
+                                    {"scene", scene.name},
+                                    {"triangles", scene.mesh.triangles.size()},
+                                    {"surfaces", scene.surfaces.size()},
+                                    {"lights", scene.lights.size()},
+                                    {"width", scene.image_size.x},
+                                    {"height", scene.image_size.y},
+                                    {"box",
+                                     {{facts.box.lo.x, facts.box.lo.y, facts.box.lo.z},
+                                      {facts.box.hi.x, facts.box.hi.y, facts.box.hi.z}}},
+                                    {"emissive_triangles", facts.emissive},
+                                    {"black_level", facts.black_level},
+                                    {"needed", facts.needed},
+                                    {"left_out", facts.left_out},
+                                    {"notes", scene.notes}};
+  return json.dump(2) + "\n";
+}
+
+int run(const CommonOptions& options) {
+  const Scene scene = open_scene_for(options);
+  const Facts facts = facts_of(scene, options);
+  print_results(options, table_of(scene, facts), json_of(scene, facts));
+  return all_holds;
+}
+
+} // namespace
+
+void add_info_command(CLI::App& app, Action& chosen) {
+  auto options = std::make_shared<CommonOptions>();
+  options->scene = "desk";
+  CLI::App* command =
+      app.add_subcommand("info", "Say what is in a scene, what it needs, and what is left out.");
+  add_common_options(*command, *options);
+  add_threshold_option(*command, *options);
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+} // namespace lightcuts::cli

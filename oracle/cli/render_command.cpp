@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "common.h"
+#include "progress.h"
+#include <lightcuts/oracle/pictures.h>
+#include <lightcuts/render/needs.h>
+#include <lightcuts/render/renderer.h>
+#include <lightcuts/tree_builder.h>
+
+namespace lightcuts::cli {
+namespace {
+
+struct RenderOptions : CommonOptions {
+  std::string method = "lightcuts";
+};
+
+double mean(const std::vector<float>& values, std::uint64_t count) {
+  double sum = 0;
+  for (const float v : values) sum += v;
+  return count == 0 ? 0 : sum / double(count);
+}
+
+int run(const RenderOptions& options) {
+  const Scene scene = open_lit_scene_for(options);
+  const std::filesystem::path out = output_folder_for(options);
+  OutputFolder folder(out);
+  const SceneView view(scene);
+  const LightTree tree = build(scene.lights, {options.seed});
+  RenderConfig config;
+  config.method = *method_named(options.method);
+  config.cut = {parse_threshold(options.threshold), options.max_cut, 0};
+  config.threads = options.threads;
+  const Needs needs = find_needs(view, tree, config.cut);
+  config.cut.black_level = needs.black_level;
+  config.use_tree = needs.tree;
+  Rendering rendering;
+  {
+    Progress progress("render " + options.scene);
+    config.progress = progress.callback();
+    rendering = render(view, tree, config);
+  }
+  oracle::write_pictures(
+      {rendering, nullptr, needs.black_level, scene.name, options.seed, config.cut.threshold},
+      folder);
+  folder.commit();
+
+  const double cut_size = mean(rendering.cut_size, rendering.surface_pixels);
+  const double rays = mean(rendering.shadow_rays, rendering.surface_pixels);
+  const nlohmann::ordered_json json{{"schema", "lightcuts-oracle/render/1"},
+                                    {"scene", options.scene},
+                                    {"method", options.method},
+                                    {"threshold", parse_threshold(options.threshold)},
+                                    {"seconds", rendering.seconds},
+                                    {"mean_cut_size", cut_size},
+                                    {"shadow_rays_per_pixel", rays},
+                                    {"light_tree", needs.tree},
+                                    {"folder", out.string()}};
+  const std::string table = fmt::format(
+      "{}, {}: {:.2f} s, {:.1f} of {} lights and {:.1f} shadow rays per pixel{}\nwritten to {}\n",
+      scene.name, options.method, rendering.seconds, cut_size, scene.lights.size(), rays,
+      needs.tree || config.method == Method::reference ? "" : " (no light tree: it would not pay)",
+      out.string());
+  print_results(options, table, json.dump(2) + "\n");
+  return all_holds;
+}
+
+} // namespace
+
+void add_render_command(CLI::App& app, Action& chosen) {
+  auto options = std::make_shared<RenderOptions>();
+  options->scene = "desk";
+  CLI::App* command =
+      app.add_subcommand("render", "Render a scene: EXR with all layers, PNG and heat maps.");
+  add_common_options(*command, *options);
+  add_threshold_option(*command, *options);
+  add_out_option(*command, *options);
+  command->add_option("--method", options->method, "reference or lightcuts")
+      ->check(CLI::IsMember({"reference", "lightcuts"}))
+      ->capture_default_str();
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+} // namespace lightcuts::cli

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "common.h"
+#include "progress.h"
+#include <lightcuts/oracle/measure.h>
+#include <lightcuts/oracle/pictures.h>
+#include <lightcuts/oracle/report_csv.h>
+#include <lightcuts/oracle/report_html.h>
+#include <lightcuts/oracle/report_json.h>
+#include <lightcuts/oracle/report_table.h>
+
+namespace lightcuts::cli {
+namespace {
+
+struct ReportOptions : CommonOptions {
+  std::vector<std::string> methods{"reference", "lightcuts"};
+  std::vector<std::string> thresholds{"1%", "2%", "4%", "8%"};
+  int repeats = oracle::MeasureConfig{}.repeats;
+};
+
+oracle::MeasureConfig config_of(const ReportOptions& options) {
+  oracle::MeasureConfig config;
+  config.seed = options.seed;
+  config.max_cut = options.max_cut;
+  config.threads = options.threads;
+  config.repeats = options.repeats;
+  config.methods.clear();
+  for (const std::string& name : options.methods) config.methods.push_back(*method_named(name));
+  config.thresholds.clear();
+  for (const std::string& t : options.thresholds) config.thresholds.push_back(parse_threshold(t));
+  return config;
+}
+
+int run(const ReportOptions& options) {
+  oracle::MeasureConfig config = config_of(options);
+  const Scene scene = open_lit_scene_for(options);
+  const std::filesystem::path out = output_folder_for(options);
+  OutputFolder folder(out);
+  const SceneView view(scene);
+  oracle::Measurement m;
+  {
+    Progress progress("report " + options.scene);
+    config.progress = progress.callback();
+    m = measure(view, config);
+  }
+  m.report.pictures = oracle::write_pictures(
+      {m.shown, &m.reference, m.report.black_level, scene.name, options.seed, m.shown_threshold},
+      folder);
+  const std::string json = report_json(m.report);
+  write_file_atomically(folder.stage("report.json"), json);
+  write_file_atomically(folder.stage("report.csv"), report_csv(m.report));
+  const std::filesystem::path html = folder.stage("report.html");
+  write_file_atomically(html, report_html(m.report, html.parent_path()));
+  folder.commit();
+  print_results(options, report_table(m.report) + fmt::format("written to {}\n", out.string()),
+                json);
+  return all_holds;
+}
+
+} // namespace
+
+void add_report_command(CLI::App& app, Action& chosen) {
+  auto options = std::make_shared<ReportOptions>();
+  options->scene = "desk";
+  CLI::App* command = app.add_subcommand(
+      "report", "Measure error against run time: report.html, .json, .csv, EXR and PNG.");
+  add_common_options(*command, *options);
+  add_out_option(*command, *options);
+  command->add_option("--methods", options->methods, "rows of the table, separated by commas")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"reference", "lightcuts"}))
+      ->capture_default_str();
+  command
+      ->add_option("--thresholds", options->thresholds,
+                   "of the methods that have one, separated by commas")
+      ->delimiter(',')
+      ->check(check_threshold)
+      ->capture_default_str();
+  command->add_option("--repeats", options->repeats, "runs of each row, in turn; the median counts")
+      ->check(CLI::Range(1, 99))
+      ->capture_default_str();
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+} // namespace lightcuts::cli

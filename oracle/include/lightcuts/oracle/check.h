@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include <lightcuts/cut_selector.h>
+#include <lightcuts/oracle/properties.h>
+#include <lightcuts/oracle/subject.h>
+#include <lightcuts/render/scene_view.h>
+
+namespace lightcuts::oracle {
+
+struct CheckConfig {
+  std::uint64_t seed = 1; ///< of the choice of pixels and rays
+  CutConfig cut;
+  std::uint64_t pairs = 10'000'000;     ///< (node, shading point) pairs to check at least
+  unsigned threads = 0;                 ///< 0: one per core
+  std::function<void(double)> progress; ///< share done; called by any thread; may be empty
+};
+
+struct CheckResult {
+  Tally tally;
+  std::uint64_t points = 0;         ///< shading points visited
+  std::uint64_t pairs = 0;          ///< (node, shading point) pairs
+  std::uint64_t rays = 0;           ///< shadow rays compared with brute force
+  std::uint64_t undecided_rays = 0; ///< of them, too near an edge for rounding to decide
+  double seconds = 0;
+};
+
+/// Judges the subject on the scene: every property of the tree; every cluster and several cuts at
+/// shading points chosen at random among the pixels that see a surface; shadow rays from there.
+/// Same inputs, same counts, for any number of threads. Throws InputError if the camera sees
+/// nothing.
+[[nodiscard]] CheckResult check(const SceneView& view, const Subject& subject,
+                                const CheckConfig& config);
+
+} // namespace lightcuts::oracle

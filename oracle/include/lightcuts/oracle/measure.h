@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <lightcuts/oracle/report.h>
+#include <lightcuts/render/needs.h>
+#include <lightcuts/render/renderer.h>
+
+namespace lightcuts::oracle {
+
+struct MeasureConfig {
+  std::uint64_t seed = 1;
+  std::vector<Method> methods{Method::reference, Method::lightcuts};
+  std::vector<float> thresholds{0.01F, 0.02F, 0.04F, 0.08F}; ///< of the methods that have one
+  std::uint32_t max_cut = 1000;
+  unsigned threads = 0; ///< 0: one per core
+  int repeats = 3;      ///< runs of each row, in turn; the median counts
+  std::function<void(double)> progress; ///< share done; may be empty
+};
+
+/// A report with the pictures that belong to it.
+struct Measurement {
+  Report report;
+  Needs needs;         ///< at the threshold nearest to the default
+  Rendering reference; ///< exact but for rounding
+  Rendering shown;     ///< lightcuts at that threshold; the reference where it is not measured
+  float shown_threshold = 0;
+};
+
+/// Renders every method at every threshold, several times in turn so that the machine's mood hits
+/// all alike, and compares with the exact picture. Where lightcuts leaves the tree out it does what
+/// the reference does, and has its times and picture. Throws InputError where the scene has no light
+/// or the camera sees nothing.
+[[nodiscard]] Measurement measure(const SceneView& view, const MeasureConfig& config);
+
+/// What a scene needs of the algorithm, in words, and what is left out.
+void describe_needs(const SceneView& view, const Needs& needs, float threshold,
+                    std::vector<std::string>& needed, std::vector<std::string>& left_out);
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+
+namespace lightcuts::oracle {
+
+/// What the oracle checks, in the order of reports.
+enum class Property : std::uint8_t {
+  bound_dominates_contribution,
+  bound_dominates_error,
+  bound_shrinks_on_refinement,
+  cut_partitions_lights,
+  cut_obeys_threshold,
+  certified_error_holds,
+  zero_threshold_is_exact,
+  total_does_not_drift,
+  tree_conserves_intensity,
+  representative_belongs,
+  results_are_finite,
+  occlusion_equals_brute_force,
+};
+inline constexpr std::size_t property_count = 12;
+
+struct PropertyInfo {
+  const char* name;
+  const char* statement; ///< one sentence
+  const char* formula;   ///< what is computed; its left side over its right is the ratio
+};
+
+[[nodiscard]] const PropertyInfo& info(Property property);
+
+/// Counts of one property.
+struct PropertyCount {
+  std::uint64_t cases = 0;
+  std::uint64_t violations = 0;
+  /// Largest left side / right side of the formula; 1 is the limit. Negative: a yes-or-no property.
+  double worst_ratio = -1;
+  /// Of the violation found at the lowest place: where, and the values on both sides.
+  std::string first_violation;
+  std::uint64_t first_place = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// The counts of all properties. Merging is commutative, so the order of threads does not show.
+class Tally {
+public:
+  /// Counts one case. place orders violations (the index of a shading point, say); ratio as in
+  /// PropertyCount; describe() is called for a violation that becomes the first one.
+  template <class Describe>
+  void record(Property property, bool holds, std::uint64_t place, double ratio,
+              Describe&& describe) {
+    PropertyCount& count = counts_[std::size_t(property)];
+    ++count.cases;
+    if (!(ratio <= count.worst_ratio)) count.worst_ratio = ratio;
+    if (holds) return;
+    ++count.violations;
+    if (place >= count.first_place) return;
+    count.first_place = place;
+    count.first_violation = describe();
+  }
+
+  void merge(const Tally& other);
+
+  [[nodiscard]] const PropertyCount& operator[](Property p) const {
+    return counts_[std::size_t(p)];
+  }
+  [[nodiscard]] std::uint64_t violations() const;
+
+private:
+  std::array<PropertyCount, property_count> counts_;
+};
+
+/// For record(): properties that hold or not, without a ratio.
+inline constexpr double no_ratio = -1;
+
+/// left / right for record(): 0/0 is 0, x/0 and NaN are the largest double, which JSON can say.
+[[nodiscard]] double ratio_of(long double left, long double right);
+
+} // namespace lightcuts::oracle

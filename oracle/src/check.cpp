@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/oracle/check.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <lightcuts/input_error.h>
+#include <lightcuts/oracle/brute_force_occlusion.h>
+#include <lightcuts/oracle/point_properties.h>
+#include <lightcuts/oracle/random_pixels.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+/// Cuts of three kinds at each point: as configured, exact, and too small to converge.
+struct Cuts {
+  CutConfig config, exact, small;
+  std::unique_ptr<Selector> configured_selector, exact_selector, small_selector;
+
+  Cuts(const Subject& subject, const CutConfig& cut) : config(cut), exact(cut), small(cut) {
+    exact.threshold = 0;
+    exact.black_level = 0;
+    exact.max_size = static_cast<std::uint32_t>(subject.tree().lights().size());
+    small.max_size = 7;
+    configured_selector = subject.selector(config);
+    exact_selector = subject.selector(exact);
+    small_selector = subject.selector(small);
+  }
+};
+
+/// What one thread works with.
+struct Worker {
+  Tally tally;
+  Truth truth;
+  std::vector<char> visible;
+  Cuts cuts;
+  std::uint64_t rays = 0, undecided_rays = 0;
+
+  Worker(const Subject& subject, const CutConfig& cut)
+      : visible(subject.tree().lights().size()), cuts(subject, cut) {}
+};
+
+// Exact cuts cost N log N, the others much less: one point in eight has one.
+constexpr std::uint64_t points_per_exact_cut = 8;
+
+void check_point(const SceneView& view, const Subject& subject, std::uint64_t place,
+                 const VisiblePoint& p, Worker& w) {
+  for (std::uint32_t i = 0; i < w.visible.size(); ++i) w.visible[i] = view.sees(p, i) ? 1 : 0;
+  w.truth.evaluate(subject.tree(), p.point, w.visible);
+  const PointCase at{place, p.point, w.visible, w.truth};
+  check_clusters(subject, at, w.tally);
+
+  const auto visible = [&w](std::uint32_t light) { return w.visible[light] != 0; };
+  const auto check_selected = [&](Selector& selector, const CutConfig& config) {
+    check_cut(subject, config, selector.select(p.point, visible), at, w.tally);
+  };
+  check_selected(*w.cuts.configured_selector, w.cuts.config);
+  check_selected(*w.cuts.small_selector, w.cuts.small);
+  if (place % points_per_exact_cut == 0) check_selected(*w.cuts.exact_selector, w.cuts.exact);
+}
+
+void check_ray(const SceneView& view, const VisiblePoint& from, std::uint64_t place,
+               std::uint32_t light, Worker& w) {
+  const glm::vec3& y = view.scene().lights[light].position;
+  const ShadowRay ray = shadow_ray(from.ray_origin, y);
+  ++w.rays;
+  // A light behind the surface is never asked for.
+  if (transfer(from.point, y) == glm::dvec3(0)) return;
+  const Occlusion brute = brute_force_occlusion(view.scene().mesh, ray);
+  if (brute == Occlusion::undecided) {
+    ++w.undecided_rays;
+    return;
+  }
+  const bool sees = view.sees(from, light);
+  w.tally.record(Property::occlusion_equals_brute_force, sees == (brute == Occlusion::clear), place,
+                 no_ratio, [&] {
+                   const glm::vec3& o = ray.origin;
+                   return fmt::format("from ({:.9g}, {:.9g}, {:.9g}) to light {} at ({:.9g}, "
+                                      "{:.9g}, {:.9g}): {}, by brute force {}",
+                                      o.x, o.y, o.z, light, y.x, y.y, y.z,
+                                      sees ? "seen" : "blocked", sees ? "blocked" : "seen");
+                 });
+}
+
+/// Enough for about a second of brute force.
+std::uint64_t rays_to_check(const Scene& scene) {
+  return std::clamp<std::uint64_t>(40'000'000 / scene.mesh.triangles.size(), 1000, 100'000);
+}
+
+using Clock = std::chrono::steady_clock;
+
+} // namespace
+
+CheckResult check(const SceneView& view, const Subject& subject, const CheckConfig& config) {
+  const auto start = Clock::now();
+  const LightTree& tree = subject.tree();
+  if (tree.empty()) throw InputError(view.scene().name + ": no lights");
+  CheckResult result;
+  check_tree(tree, result.tally);
+
+  result.points = (config.pairs + tree.nodes().size() - 1) / tree.nodes().size();
+  result.pairs = result.points * tree.nodes().size();
+  const std::uint64_t rays = rays_to_check(view.scene());
+  std::atomic<std::uint64_t> done = 0;
+  tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(subject, config.cut); });
+
+  const auto check_points = [&](const tbb::blocked_range<std::uint64_t>& range) {
+    Worker& w = workers.local();
+    for (std::uint64_t i = range.begin(); i < range.end(); ++i) {
+      const VisiblePoint p = random_point(view, config.seed, i);
+      check_point(view, subject, i, p, w);
+      // The rays, dealt out evenly to the points.
+      for (std::uint64_t r = i * rays / result.points; r < (i + 1) * rays / result.points; ++r)
+        check_ray(view, p, i,
+                  static_cast<std::uint32_t>(hashed(config.seed + 1, r) % tree.lights().size()), w);
+    }
+    const std::uint64_t now = done += range.size();
+    if (config.progress) config.progress(double(now) / double(result.points));
+  };
+  tbb::task_arena arena(config.threads == 0 ? tbb::task_arena::automatic
+                                            : static_cast<int>(config.threads));
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, result.points, 4), check_points,
+                      tbb::simple_partitioner());
+  });
+
+  for (const Worker& w : workers) {
+    result.tally.merge(w.tally);
+    result.rays += w.rays;
+    result.undecided_rays += w.undecided_rays;
+  }
+  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return result;
+}
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <lightcuts/error_bound.h>
+#include <lightcuts/oracle/point_properties.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+std::string describe(const PointCase& at, std::uint32_t node, const TreeNode& cluster, int channel,
+                     const char* left, long double value, const char* right, double limit) {
+  const glm::vec3& x = at.point.position();
+  return fmt::format("point ({:.9g}, {:.9g}, {:.9g}), node {} of {} light{}, channel {}: "
+                     "{} {:.9g}, {} {:.9g}",
+                     x.x, x.y, x.z, node, cluster.light_count, cluster.light_count == 1 ? "" : "s",
+                     "rgb"[channel], left, static_cast<double>(value), right, limit);
+}
+
+/// The channel with the largest value / bound, and whether all hold.
+struct Worst {
+  bool holds = true;
+  int channel = 0;
+  double ratio = 0;
+  long double value = 0;
+
+  void add(int c, bool channel_holds, long double left, float bound) {
+    const double r = bound == infinite ? 0 : ratio_of(left, bound);
+    const bool first_failure = holds && !channel_holds;
+    if (first_failure || (r > ratio && (holds || !channel_holds))) {
+      channel = c;
+      value = left;
+    }
+    ratio = std::max(ratio, r);
+    holds = holds && channel_holds;
+  }
+};
+
+void check_contribution(const PointCase& at, std::uint32_t node, const TreeNode& cluster,
+                        const glm::vec3& bound, Tally& tally) {
+  Worst worst;
+  for (int c = 0; c < 3; ++c) {
+    const long double truth = at.truth.open(node)[c];
+    worst.add(c,
+              dominates(bound[c], truth, truth * truth_error,
+                        [&] { return at.truth.exact_open(node, c); }),
+              truth, bound[c]);
+  }
+  tally.record(Property::bound_dominates_contribution, worst.holds, at.place, worst.ratio, [&] {
+    return describe(at, node, cluster, worst.channel, "true contribution", worst.value, "bound",
+                    bound[worst.channel]);
+  });
+}
+
+void check_error(const PointCase& at, std::uint32_t node, const TreeNode& cluster,
+                 const glm::dvec3& estimate, const glm::vec3& bound, Tally& tally) {
+  Worst worst;
+  for (int c = 0; c < 3; ++c) {
+    const long double truth = at.truth.seen(node)[c];
+    const long double error = std::abs(estimate[c] - truth);
+    // The subtraction rounds, too.
+    const long double margin = truth * truth_error + error * truth_error;
+    worst.add(c,
+              dominates(bound[c], error, margin,
+                        [&] { return abs(Exact(estimate[c]) - at.truth.exact_seen(node, c)); }),
+              error, bound[c]);
+  }
+  tally.record(Property::bound_dominates_error, worst.holds, at.place, worst.ratio, [&] {
+    return describe(at, node, cluster, worst.channel, "true error", worst.value, "bound",
+                    bound[worst.channel]);
+  });
+}
+
+void check_shrinking(const Subject& subject, const PointCase& at, std::uint32_t node,
+                     const TreeNode& cluster, const glm::vec3& bound, Tally& tally) {
+  Worst worst;
+  const glm::vec3 a = subject.bound(cluster.first_child, at.point);
+  const glm::vec3 b = subject.bound(cluster.first_child + 1, at.point);
+  for (int c = 0; c < 3; ++c) {
+    const double children = double(a[c]) + double(b[c]);
+    // Each bound may exceed the real one by bound_excess and one subnormal.
+    const double allowed = double(bound[c]) * (1 + bound_excess) + 2 * 0x1p-149;
+    worst.add(c, children <= allowed, children, bound[c]);
+  }
+  tally.record(Property::bound_shrinks_on_refinement, worst.holds, at.place, worst.ratio, [&] {
+    return describe(at, node, cluster, worst.channel, "children's bounds", worst.value, "bound",
+                    bound[worst.channel]);
+  });
+}
+
+/// Whether an infinite bound is excused: x in the box, or a supremum beyond the largest float, for
+/// which the nearest distance with all cosines 1 has to reach half of it.
+bool may_be_infinite(const PointCase& at, const TreeNode& cluster, int channel) {
+  if (cluster.box.contains(at.point.position())) return true;
+  const Material& m = at.point.material();
+  const double brdf = m.diffuse[channel] + m.specular[channel] * phong_normalisation(m.exponent);
+  return cluster.intensity[channel] * brdf / min_distance2(at.point.position(), cluster.box) >=
+         0.5 * std::numeric_limits<float>::max();
+}
+
+void check_finite(const PointCase& at, std::uint32_t node, const TreeNode& cluster,
+                  const glm::vec3& bound, Tally& tally) {
+  bool holds = true;
+  int bad = 0;
+  for (int c = 0; c < 3; ++c) {
+    const bool fine = bound[c] >= 0 && (bound[c] < infinite || may_be_infinite(at, cluster, c));
+    if (!fine && holds) bad = c;
+    holds = holds && fine;
+  }
+  tally.record(Property::results_are_finite, holds, at.place, no_ratio, [&] {
+    return describe(at, node, cluster, bad, "true contribution", at.truth.open(node)[bad], "bound",
+                    bound[bad]);
+  });
+}
+
+} // namespace
+
+void check_clusters(const Subject& subject, const PointCase& at, Tally& tally) {
+  const LightTree& tree = subject.tree();
+  for (std::uint32_t i = 0; i < tree.nodes().size(); ++i) {
+    const TreeNode& cluster = tree.node(i);
+    const glm::vec3 bound = subject.bound(i, at.point);
+    const std::uint32_t light = cluster.representative;
+    const glm::dvec3 estimate =
+        at.visible[light] != 0
+            ? transfer(at.point, tree.lights()[light].position) * cluster.intensity
+            : glm::dvec3(0);
+    check_contribution(at, i, cluster, bound, tally);
+    check_error(at, i, cluster, estimate, bound, tally);
+    check_finite(at, i, cluster, bound, tally);
+    if (!cluster.is_leaf()) check_shrinking(subject, at, i, cluster, bound, tally);
+  }
+}
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/oracle/measure.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include <tbb/task_arena.h>
+
+#include <lightcuts/input_error.h>
+#include <lightcuts/oracle/clairvoyant.h>
+#include <lightcuts/oracle/image_error.h>
+#include <lightcuts/oracle/random_pixels.h>
+#include <lightcuts/tree_builder.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// One line of the table on its way. Where lightcuts leaves the tree out it is the reference: the
+/// picture and the times are those of the first row.
+struct Row {
+  RenderConfig config;
+  std::vector<double> seconds;
+  Rendering picture;
+};
+
+std::vector<Row> rows_to_run(const SceneView& view, const LightTree& tree,
+                             const MeasureConfig& config, float black_level) {
+  std::vector<Row> rows;
+  // The reference comes first: everything is compared with it, asked for or not.
+  rows.push_back({{.method = Method::reference, .threads = config.threads}, {}, {}});
+  if (std::find(config.methods.begin(), config.methods.end(), Method::lightcuts) ==
+      config.methods.end())
+    return rows;
+  for (const float threshold : config.thresholds) {
+    const CutConfig cut{threshold, config.max_cut, black_level};
+    const bool use_tree = find_needs(view, tree, cut).tree;
+    rows.push_back(
+        {{.method = Method::lightcuts, .cut = cut, .use_tree = use_tree, .threads = config.threads},
+         {},
+         {}});
+  }
+  return rows;
+}
+
+bool leaves_tree_out(const Row& row) {
+  return row.config.method == Method::lightcuts && !row.config.use_tree;
+}
+
+void run_in_turn(const SceneView& view, const LightTree& tree, const MeasureConfig& config,
+                 std::vector<Row>& rows) {
+  const double total = double(rows.size()) * config.repeats;
+  double done = 0;
+  for (int repeat = 0; repeat < config.repeats; ++repeat)
+    for (Row& row : rows) {
+      ++done;
+      if (leaves_tree_out(row)) continue;
+      if (config.progress)
+        row.config.progress = [&](double share) { config.progress((done - 1 + share) / total); };
+      Rendering picture = render(view, tree, row.config);
+      row.seconds.push_back(picture.seconds);
+      row.picture = std::move(picture);
+    }
+  for (Row& row : rows)
+    if (leaves_tree_out(row)) {
+      row.seconds = rows.front().seconds;
+      row.picture = rows.front().picture;
+    }
+}
+
+double mean(const std::vector<float>& values, std::uint64_t count) {
+  double sum = 0;
+  for (const float v : values) sum += v;
+  return count == 0 ? 0 : sum / double(count);
+}
+
+/// Mean cut sizes over random points, of the clairvoyant and of the actual cut.
+struct SampledSizes {
+  double clairvoyant = 0, actual = 0;
+};
+
+SampledSizes sample_sizes(const SceneView& view, const LightTree& tree, const CutConfig& cut,
+                          std::uint64_t seed) {
+  const std::size_t lights = tree.lights().size();
+  const std::size_t points = std::clamp<std::size_t>(2'000'000 / lights, 16, 256);
+  CutSelector select(tree, cut);
+  Truth truth;
+  std::vector<char> visible(lights);
+  SampledSizes sizes;
+  for (std::size_t i = 0; i < points; ++i) {
+    const VisiblePoint p = random_point(view, seed, i);
+    for (std::uint32_t j = 0; j < lights; ++j) visible[j] = view.sees(p, j) ? 1 : 0;
+    truth.evaluate(tree, p.point, visible);
+    sizes.clairvoyant +=
+        double(clairvoyant_cut_size(tree, p.point, visible, truth, cut.threshold, cut.black_level));
+    sizes.actual +=
+        double(select(p.point, [&](std::uint32_t j) { return visible[j] != 0; }).clusters.size());
+  }
+  return {sizes.clairvoyant / double(points), sizes.actual / double(points)};
+}
+
+Run summary(const Row& row, const Row& reference, double build_seconds) {
+  const Rendering& p = row.picture;
+  const CutConfig& cut = row.config.cut;
+  const bool exact = row.config.method == Method::reference;
+  const ImageError e = compare(p, reference.picture, exact ? 0 : cut.threshold, cut.black_level);
+  Run run;
+  run.method = name_of(row.config.method);
+  run.threshold = exact ? 0 : double(cut.threshold);
+  run.build_seconds = exact || !row.config.use_tree ? 0 : build_seconds;
+  run.render_seconds = median(row.seconds);
+  run.mean_cut_size = mean(p.cut_size, p.surface_pixels);
+  run.shadow_rays_per_pixel = mean(p.shadow_rays, p.surface_pixels);
+  run.rel_rmse = e.rel_rmse;
+  run.mrse = e.mrse;
+  run.mean_relative_error = e.mean;
+  run.max_relative_error = e.max;
+  run.mean_certified_error = e.mean_certified;
+  run.pixels_over_threshold = e.pixels_over_threshold;
+  run.dark_pixels =
+      static_cast<std::uint64_t>(std::count(p.end.begin(), p.end.end(), CutEnd::black_level));
+  run.size_limited_pixels =
+      static_cast<std::uint64_t>(std::count(p.end.begin(), p.end.end(), CutEnd::max_size));
+  run.speedup_over_reference = median(reference.seconds) / run.render_seconds;
+  if (e.rel_rmse > 0) run.efficiency = 1 / (e.rel_rmse * e.rel_rmse * run.render_seconds);
+  return run;
+}
+
+const Row& row_to_show(const std::vector<Row>& rows) {
+  const float preferred = CutConfig{}.threshold;
+  const Row* best = &rows.front();
+  for (const Row& row : rows)
+    if (row.config.method == Method::lightcuts &&
+        (best->config.method == Method::reference ||
+         std::abs(row.config.cut.threshold - preferred) <
+             std::abs(best->config.cut.threshold - preferred)))
+      best = &row;
+  return *best;
+}
+
+Report facts(const SceneView& view, const MeasureConfig& config) {
+  Report report;
+  report.scene = view.scene().name;
+  report.seed = config.seed;
+  report.lights = view.scene().lights.size();
+  report.triangles = view.scene().mesh.triangles.size();
+  report.size = view.size();
+  report.threads =
+      config.threads == 0 ? unsigned(tbb::this_task_arena::max_concurrency()) : config.threads;
+  report.repeats = config.repeats;
+  return report;
+}
+
+} // namespace
+
+void describe_needs(const SceneView& view, const Needs& needs, float threshold,
+                    std::vector<std::string>& needed, std::vector<std::string>& left_out) {
+  const std::size_t lights = view.scene().lights.size();
+  (needs.specular ? needed : left_out)
+      .push_back(needs.specular ? "specular bound: some surfaces are glossy"
+                                : "specular bound: all surfaces are diffuse");
+  (needs.occlusion ? needed : left_out)
+      .push_back(needs.occlusion ? "shadow rays: something may stand before a light"
+                                 : "shadow rays: the scene is a convex room, nothing occludes");
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "light tree: at threshold %g %% cuts have %.1f of %zu lights and are expected to "
+                "take %.2f times as long as all lights",
+                100 * double(threshold), needs.pilot_cut_size, lights,
+                needs.pilot_cost_of_cuts / needs.pilot_cost_of_sums);
+  (needs.tree ? needed : left_out).emplace_back(text);
+}
+
+Measurement measure(const SceneView& view, const MeasureConfig& config) {
+  const auto start = std::chrono::steady_clock::now();
+  const LightTree tree = build(view.scene().lights, {config.seed});
+  const double build_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (tree.empty()) throw InputError(view.scene().name + ": no lights");
+
+  Measurement m;
+  m.report = facts(view, config);
+  const float black_level =
+      find_needs(view, tree, {CutConfig{}.threshold, config.max_cut, 0}).black_level;
+  std::vector<Row> rows = rows_to_run(view, tree, config, black_level);
+  run_in_turn(view, tree, config, rows);
+
+  for (const Row& row : rows) {
+    Run run = summary(row, rows.front(), build_seconds);
+    if (row.config.method == Method::lightcuts) {
+      const SampledSizes sizes = sample_sizes(view, tree, row.config.cut, config.seed);
+      run.optimal_cut_size = sizes.clairvoyant;
+      run.cut_efficiency = sizes.clairvoyant / sizes.actual;
+    } else if (std::find(config.methods.begin(), config.methods.end(), Method::reference) ==
+               config.methods.end()) {
+      continue;
+    }
+    m.report.runs.push_back(run);
+  }
+  const Row& shown = row_to_show(rows);
+  m.shown = shown.picture;
+  m.shown_threshold = shown.config.cut.threshold;
+  m.reference = rows.front().picture;
+  m.needs = find_needs(view, tree, {m.shown_threshold, config.max_cut, 0});
+  m.report.black_level = black_level;
+  m.report.surface_pixels = m.reference.surface_pixels;
+  for (std::size_t i = 0; i < m.shown.cut_size.size(); ++i)
+    if (m.shown.cut_size[i] > 0) m.report.cut_sizes.push_back(m.shown.cut_size[i]);
+  describe_needs(view, m.needs, m.shown_threshold, m.report.needs, m.report.left_out);
+  return m;
+}
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/oracle/mutants.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+struct HeapInverted : LightcutsRules {
+  static bool refined_before(double key, double other) { return key < other; }
+  template <class AllObey>
+  static bool stops(AllObey&&) {
+    return true;
+  }
+};
+
+struct IntensityOfRepresentative : LightcutsRules {
+  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
+    TreeNode cluster = tree.node(node);
+    cluster.intensity = glm::dvec3(tree.lights()[cluster.representative].intensity);
+    return contribution_bound(cluster, point);
+  }
+};
+
+template <class Rules>
+std::unique_ptr<Subject> make(const char* name, const LightTree& tree) {
+  return std::make_unique<RulesSubject<Rules>>(name, tree);
+}
+
+constexpr Mutant catalogue[] = {
+    {"heap-inverted", "refines the smallest bound first, and stops on it",
+     [](const LightTree& tree) { return make<HeapInverted>("heap-inverted", tree); }},
+    {"intensity-of-representative",
+     "the bound uses the representative's intensity, not the cluster's",
+     [](const LightTree& tree) {
+       return make<IntensityOfRepresentative>("intensity-of-representative", tree);
+     }},
+};
+
+} // namespace
+
+std::span<const Mutant> mutants() { return catalogue; }
+
+std::unique_ptr<Subject> library_subject(const LightTree& tree) {
+  return make<LightcutsRules>("lightcuts", tree);
+}
+
+} // namespace lightcuts::oracle
