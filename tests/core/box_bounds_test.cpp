@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/box_bounds.h>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "../support/box_reference.h"
+#include "../support/generators.h"
+
+namespace lightcuts {
+namespace {
+
+using gen::BoxView;
+using precise::Exact;
+using precise::Point;
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// A grid over the box with its corners, edges and faces.
+std::vector<Point> grid(const precise::ExactBox& box) {
+  constexpr int steps = 4;
+  std::vector<Point> list;
+  for (int i = 0; i < (steps + 1) * (steps + 1) * (steps + 1); ++i) {
+    const std::array<int, 3> at{i % (steps + 1), i / (steps + 1) % (steps + 1),
+                                i / (steps + 1) / (steps + 1)};
+    Point q;
+    for (int k = 0; k < 3; ++k) {
+      const Exact t = Exact(at[k]) / steps;
+      q[k] = box.lo[k] * (1 - t) + box.hi[k] * t;
+    }
+    list.push_back(q);
+  }
+  return list;
+}
+
+/// Points clamp(s n, lo, hi): at every s where a coordinate starts or stops moving, and beside it.
+std::vector<Point> path(const Point& n, const precise::ExactBox& box) {
+  std::vector<Point> list;
+  for (int i = 0; i < 3; ++i)
+    for (const Exact& face : {box.lo[i], box.hi[i]})
+      for (const double beside : {0.5, 0.99, 1.0, 1.01, 2.0}) {
+        if (n[i] == 0 || face / n[i] <= 0) continue;
+        const Exact s = face / n[i] * beside;
+        Point q;
+        for (int k = 0; k < 3; ++k)
+          q[k] = std::min(std::max(Exact(s * n[k]), box.lo[k]), box.hi[k]);
+        list.push_back(q);
+      }
+  return list;
+}
+
+template <int K>
+void expect_no_sample_above(double bound, const BoxView& v) {
+  const precise::ExactBox box(v.x, v.box);
+  const Point n = precise::exact_vector(v.n);
+  std::vector<Point> samples = grid(box);
+  for (const Point& q : path(n, box)) samples.push_back(q);
+  RC_ASSERT(!std::isnan(bound));
+  if (bound == inf) return;
+  for (const Point& q : samples)
+    RC_ASSERT(Exact(bound) >= precise::objective<K>(n, q) * (1 - box_bound_error));
+}
+
+RC_GTEST_PROP(MaxCosine, IsNotBelowAnySampleOfTheBox, ()) {
+  const BoxView v = *gen::box_view();
+  expect_no_sample_above<1>(max_cosine(v.n, v.x, v.box), v);
+}
+
+RC_GTEST_PROP(MaxCosineOverDistance2, IsNotBelowAnySampleOfTheBox, ()) {
+  const BoxView v = *gen::box_view();
+  expect_no_sample_above<3>(max_cosine_over_distance2(v.n, v.x, v.box), v);
+}
+
+RC_GTEST_PROP(MaxCosine, EqualsTheLargestOfRayCornersAndEdges, ()) {
+  const BoxView v = *gen::box_view();
+  const Exact exact = precise::max_cosine(v.n, v.x, v.box);
+  const double value = max_cosine(v.n, v.x, v.box);
+  RC_ASSERT(std::isfinite(value));
+  RC_ASSERT(abs(Exact(value) - exact) <= exact * box_bound_error);
+}
+
+RC_GTEST_PROP(MaxCosineOverDistance2, EqualsTheLargestOfCornersEdgesAndFaces, ()) {
+  const BoxView v = *gen::box_view();
+  const auto exact = precise::max_cosine_over_distance2(v.n, v.x, v.box);
+  const double value = max_cosine_over_distance2(v.n, v.x, v.box);
+  RC_ASSERT((value == inf) == !exact.has_value());
+  if (exact) RC_ASSERT(abs(Exact(value) - *exact) <= *exact * box_bound_error);
+}
+
+RC_GTEST_PROP(BoxBounds, AreZeroExactlyWhereTheWholeBoxIsBehind, ()) {
+  const BoxView v = *gen::box_view();
+  const bool front = precise::reaches_front(v.n, v.x, v.box);
+  RC_ASSERT((max_cosine(v.n, v.x, v.box) == 0) == !front);
+  RC_ASSERT((max_cosine_over_distance2(v.n, v.x, v.box) == 0) == !front);
+}
+
+RC_GTEST_PROP(BoxBounds, AreThoseOfTheOnlyPointWhenTheBoxIsOne, ()) {
+  BoxView v = *gen::box_view();
+  v.box.hi = v.box.lo;
+  const Point q = precise::ExactBox(v.x, v.box).lo;
+  const Point n = precise::exact_vector(v.n);
+  const Exact cosine = precise::objective<1>(n, q);
+  const Exact joint = precise::objective<3>(n, q);
+  RC_ASSERT(abs(Exact(max_cosine(v.n, v.x, v.box)) - cosine) <= cosine * box_bound_error);
+  RC_ASSERT(abs(Exact(max_cosine_over_distance2(v.n, v.x, v.box)) - joint) <=
+            joint * box_bound_error);
+}
+
+RC_GTEST_PROP(BoxBounds, NeverFallAsTheBoxGrows, ()) {
+  BoxView v = *gen::box_view();
+  const double cosine = max_cosine(v.n, v.x, v.box);
+  const double joint = max_cosine_over_distance2(v.n, v.x, v.box);
+  v.box.extend((*gen::box_view()).box);
+  // Both values may err by box_bound_error, in opposite directions.
+  RC_ASSERT(max_cosine(v.n, v.x, v.box) >= cosine * (1 - 2 * box_bound_error));
+  RC_ASSERT(max_cosine_over_distance2(v.n, v.x, v.box) >= joint * (1 - 2 * box_bound_error));
+}
+
+RC_GTEST_PROP(MinDistance2, IsExactButForRounding, ()) {
+  const BoxView v = *gen::box_view();
+  const Exact exact = precise::min_distance2(v.x, v.box);
+  const double value = min_distance2(v.x, v.box);
+  RC_ASSERT((value == 0) == v.box.contains(v.x));
+  // Stated with the function: 5 roundings.
+  RC_ASSERT(abs(Exact(value) - exact) <= exact * 0x1p-50);
+}
+
+TEST(MaxCosine, IsTheLengthOfTheNormalWhereItsRayMeetsTheBox) {
+  const Box box{{-1, -1, 1}, {1, 1, 2}};
+  EXPECT_EQ(max_cosine({0, 0, 1}, {0, 0, 0}, box), 1);
+  EXPECT_EQ(max_cosine({0, 0, 3}, {0, 0, 0}, box), 3);
+  EXPECT_EQ(max_cosine({0, 0, -1}, {0, 0, 0}, box), 0);
+}
+
+TEST(MaxCosine, LooksInsideAnEdgeToo) {
+  // At (1, 0, 1), inside the nearest edge, 45 degrees; the corners are at 60.
+  EXPECT_DOUBLE_EQ(max_cosine({0, 0, 1}, {0, 0, 0}, {{1, -1, 0}, {2, 1, 1}}), std::sqrt(0.5));
+}
+
+TEST(MaxCosineOverDistance2, IsInfiniteOnlyWhereALightInFrontMayTouchThePoint) {
+  const Box box{{0, 0, 0}, {1, 1, 1}};
+  EXPECT_EQ(max_cosine_over_distance2({0, 0, 1}, {0, 0, 0}, box), inf);
+  EXPECT_EQ(max_cosine_over_distance2({0, 0, -1}, {0, 0, 0}, box), 0);
+  EXPECT_EQ(max_cosine_over_distance2({0, 0, 1}, {0.5F, 0.5F, 1}, box), 0);
+}
+
+TEST(MaxCosineOverDistance2, IsFiniteForAFarLightBarelyAboveTheHorizon) {
+  const glm::vec3 light(0, 0x1p-149F, 3e38F);
+  const double value = max_cosine_over_distance2({1, 0x1p-149F, 0}, glm::vec3(0), {light, light});
+  EXPECT_GT(value, 0);
+  EXPECT_LT(value, 1e-200);
+}
+
+} // namespace
+} // namespace lightcuts
