@@ -102,7 +102,7 @@ void add_check_command(CLI::App& app, Action& chosen) {
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
   command->add_option("--pairs", options->pairs, "(node, shading point) pairs to check at least")
-      ->check(CLI::PositiveNumber)
+      ->check(check_positive)
       ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

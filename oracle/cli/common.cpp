@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <lightcuts/input_error.h>
 #include <lightcuts/render/light_generator.h>
@@ -17,6 +18,7 @@ namespace {
 std::optional<glm::uvec2> parse_size(const std::string& text) {
   glm::uvec2 size(0);
   char rest = 0;
+  if (text.find_first_not_of("0123456789x") != std::string::npos) return std::nullopt; // no signs
   if (std::sscanf(text.c_str(), "%5ux%5u%c", &size.x, &size.y, &rest) != 2) return std::nullopt;
   return size;
 }
@@ -25,7 +27,32 @@ std::string check_size(const std::string& text) {
   return parse_size(text) ? "" : "'" + text + "' is not WIDTHxHEIGHT";
 }
 
+// CLI11 takes -1 for the largest number.
+std::string check_not_negative(const std::string& text) {
+  return text.starts_with('-') ? "'" + text + "' is negative" : "";
+}
+
+constexpr unsigned max_threads = 1024;
+
+/// Known before the long job, not after.
+void require_writable(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (std::filesystem::is_directory(file))
+    throw InputError(file.string() + ": is a folder, not a file to write");
+  if (!std::filesystem::is_directory(folder))
+    throw InputError(file.string() + ": cannot be written: there is no folder " + folder.string());
+  const bool exists = std::filesystem::exists(file);
+  if (::access((exists ? file : folder).c_str(), W_OK) != 0)
+    throw InputError(file.string() + ": cannot be written");
+}
+
 } // namespace
+
+std::string check_positive(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  const bool zero = text.find_first_not_of('0') == std::string::npos;
+  return digits && !zero ? "" : "'" + text + "' is not a whole number above 0";
+}
 
 float parse_threshold(const std::string& text) {
   std::size_t used = 0;
@@ -55,10 +82,14 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
       .add_option("SCENE", options.scene,
                   "a built-in scene (see 'scenes'), or a .json, .obj, .gltf or .glb file")
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "of every random choice")->capture_default_str();
-  command.add_option("--threads", options.threads, "0: one per core")->capture_default_str();
+  command.add_option("--seed", options.seed, "of every random choice")
+      ->check(check_not_negative)
+      ->capture_default_str();
+  command.add_option("--threads", options.threads, "0: one per core")
+      ->check(CLI::Range(0U, max_threads))
+      ->capture_default_str();
   command.add_option("--max-cut", options.max_cut, "largest number of clusters in a cut")
-      ->check(CLI::PositiveNumber)
+      ->check(check_positive)
       ->capture_default_str();
   command.add_option("--size", options.size, "WIDTHxHEIGHT of the image; default: the scene's")
       ->check(check_size);
@@ -66,7 +97,7 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
       .add_option("--lights", options.lights,
                   "light the scene with so many random lights in its upper half instead of its "
                   "own; default: the scene's")
-      ->check(CLI::PositiveNumber);
+      ->check(check_positive);
   command.add_option("--json", options.json,
                      "write the results to this file as JSON; '-': to stdout, and no table; "
                      "default: no JSON");
@@ -85,6 +116,7 @@ void add_out_option(CLI::App& command, CommonOptions& options) {
 }
 
 Scene open_scene_for(const CommonOptions& options) {
+  if (!options.json.empty() && options.json != "-") require_writable(options.json);
   Scene scene = open_scene(options.scene);
   if (!options.size.empty()) scene.image_size = *parse_size(options.size);
   if (options.lights > 0) {
@@ -119,8 +151,8 @@ void print_results(const CommonOptions& options, const std::string& table,
     fmt::print("{}", json);
     return;
   }
-  fmt::print("{}", table);
   if (!options.json.empty()) write_file_atomically(options.json, json);
+  fmt::print("{}", table);
 }
 
 } // namespace lightcuts::cli

@@ -39,8 +39,11 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 /// A CLI11 check: what is wrong with the text as a threshold, or nothing.
 [[nodiscard]] std::string check_threshold(const std::string& text);
 
-/// Opens options.scene and applies --size and --lights. Throws InputError; says on stderr what the
-/// reader of the scene noted.
+/// A CLI11 check: what is wrong with the text as a number above 0, or nothing.
+[[nodiscard]] std::string check_positive(const std::string& text);
+
+/// Opens options.scene and applies --size and --lights. Throws InputError, also where --json cannot be
+/// written; says on stderr what the reader of the scene noted.
 [[nodiscard]] Scene open_scene_for(const CommonOptions& options);
 
 /// The same for commands that cannot do without light: throws InputError where there is none.

@@ -101,7 +101,7 @@ void add_mutants_command(CLI::App& app, Action& chosen) {
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
   command->add_option("--pairs", options->pairs, "(node, shading point) pairs for each mutant")
-      ->check(CLI::PositiveNumber)
+      ->check(check_positive)
       ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -17,6 +17,7 @@ Progress::~Progress() {
 }
 
 void Progress::update(double share) {
+  if (!visible_) return;
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
   if (now - drawn_ < std::chrono::milliseconds(100)) return;

@@ -54,7 +54,7 @@ int run(const RenderOptions& options) {
   const nlohmann::ordered_json json{{"schema", "lightcuts-oracle/render/1"},
                                     {"scene", options.scene},
                                     {"method", options.method},
-                                    {"threshold", parse_threshold(options.threshold)},
+                                    {"threshold", std::stod(fmt::format("{}", config.cut.threshold))},
                                     {"seconds", rendering.seconds},
                                     {"mean_cut_size", cut_size},
                                     {"shadow_rays_per_pixel", rays},

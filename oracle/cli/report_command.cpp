@@ -72,12 +72,14 @@ void add_report_command(CLI::App& app, Action& chosen) {
   add_out_option(*command, *options);
   command->add_option("--methods", options->methods, "rows of the table, separated by commas")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember({"reference", "lightcuts"}))
       ->capture_default_str();
   command
       ->add_option("--thresholds", options->thresholds,
                    "of the methods that have one, separated by commas")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(check_threshold)
       ->capture_default_str();
   command->add_option("--repeats", options->repeats, "runs of each row, in turn; the median counts")

@@ -70,9 +70,9 @@ void check_ray(const SceneView& view, const VisiblePoint& from, std::uint64_t pl
                std::uint32_t light, Worker& w) {
   const glm::vec3& y = view.scene().lights[light].position;
   const ShadowRay ray = shadow_ray(from.ray_origin, y);
-  ++w.rays;
   // A light behind the surface is never asked for.
   if (transfer(from.point, y) == glm::dvec3(0)) return;
+  ++w.rays;
   const Occlusion brute = brute_force_occlusion(view.scene().mesh, ray);
   if (brute == Occlusion::undecided) {
     ++w.undecided_rays;
@@ -105,7 +105,7 @@ CheckResult check(const SceneView& view, const Subject& subject, const CheckConf
   CheckResult result;
   check_tree(tree, result.tally);
 
-  result.points = (config.pairs + tree.nodes().size() - 1) / tree.nodes().size();
+  result.points = config.pairs / tree.nodes().size() + (config.pairs % tree.nodes().size() != 0);
   result.pairs = result.points * tree.nodes().size();
   const std::uint64_t rays = rays_to_check(view.scene());
   std::atomic<std::uint64_t> done = 0;

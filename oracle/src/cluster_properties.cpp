@@ -29,7 +29,7 @@ struct Worst {
   double ratio = 0;
   long double value = 0;
 
-  void add(int c, bool channel_holds, long double left, float bound) {
+  void add(int c, bool channel_holds, long double left, double bound) {
     const double r = bound == infinite ? 0 : ratio_of(left, bound);
     const bool first_failure = holds && !channel_holds;
     if (first_failure || (r > ratio && (holds || !channel_holds))) {
@@ -85,7 +85,7 @@ void check_shrinking(const Subject& subject, const PointCase& at, std::uint32_t 
     const double children = double(a[c]) + double(b[c]);
     // Each bound may exceed the real one by bound_excess and one subnormal.
     const double allowed = double(bound[c]) * (1 + bound_excess) + 2 * 0x1p-149;
-    worst.add(c, children <= allowed, children, bound[c]);
+    worst.add(c, children <= allowed, children, allowed);
   }
   tally.record(Property::bound_shrinks_on_refinement, worst.holds, at.place, worst.ratio, [&] {
     return describe(at, node, cluster, worst.channel, "children's bounds", worst.value, "bound",

@@ -162,7 +162,7 @@ void check_cut(const Subject& subject, const CutConfig& config, const Cut& cut, 
   check_drift(cut, total, at, tally);
   check_finite(cut, at, tally);
   check_against_truth(Property::certified_error_holds, cut, cut.certified_error, at, tally);
-  if (config.threshold == 0 && config.max_size >= tree.lights().size())
+  if (config.threshold == 0 && config.black_level == 0 && config.max_size >= tree.lights().size())
     check_against_truth(Property::zero_threshold_is_exact, cut, rounding_only(at), at, tally);
 }
 

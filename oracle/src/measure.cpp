@@ -34,7 +34,8 @@ std::vector<Row> rows_to_run(const SceneView& view, const LightTree& tree,
                              const MeasureConfig& config, float black_level) {
   std::vector<Row> rows;
   // The reference comes first: everything is compared with it, asked for or not.
-  rows.push_back({{.method = Method::reference, .threads = config.threads}, {}, {}});
+  const CutConfig exact{0, config.max_cut, black_level};
+  rows.push_back({{.method = Method::reference, .cut = exact, .threads = config.threads}, {}, {}});
   if (std::find(config.methods.begin(), config.methods.end(), Method::lightcuts) ==
       config.methods.end())
     return rows;
@@ -109,10 +110,10 @@ Run summary(const Row& row, const Row& reference, double build_seconds) {
   const Rendering& p = row.picture;
   const CutConfig& cut = row.config.cut;
   const bool exact = row.config.method == Method::reference;
-  const ImageError e = compare(p, reference.picture, exact ? 0 : cut.threshold, cut.black_level);
+  const ImageError e = compare(p, reference.picture, cut.threshold, cut.black_level);
   Run run;
   run.method = name_of(row.config.method);
-  run.threshold = exact ? 0 : double(cut.threshold);
+  run.threshold = cut.threshold;
   run.build_seconds = exact || !row.config.use_tree ? 0 : build_seconds;
   run.render_seconds = median(row.seconds);
   run.mean_cut_size = mean(p.cut_size, p.surface_pixels);

@@ -137,6 +137,12 @@ TEST(MaxCosine, LooksInsideAnEdgeToo) {
   EXPECT_DOUBLE_EQ(max_cosine({0, 0, 1}, {0, 0, 0}, {{1, -1, 0}, {2, 1, 1}}), std::sqrt(0.5));
 }
 
+TEST(MaxCosine, IsNotThatOfTheRayWhereRoundingHidesThatItMissesTheBox) {
+  const Box box{{0, -0x1p-59F, 0}, {0x1.8p-47F, 0, 0}};
+  // The nearest direction is that of x: 0.875; the length of n is 1.008.
+  EXPECT_NEAR(max_cosine({-0.875F, -0.5F, 0}, {1, 0, 0}, box), 0.875, 0.875 * box_bound_error);
+}
+
 TEST(MaxCosineOverDistance2, IsInfiniteOnlyWhereALightInFrontMayTouchThePoint) {
   const Box box{{0, 0, 0}, {1, 1, 1}};
   EXPECT_EQ(max_cosine_over_distance2({0, 0, 1}, {0, 0, 0}, box), inf);

@@ -14,9 +14,7 @@ using precise::Exact;
 
 Box make_box() { return (*gen::box_view()).box; }
 
-TEST(Box, EmptyContainsNothing) {
-  EXPECT_FALSE(Box::empty().contains(glm::vec3(0)));
-}
+TEST(Box, EmptyContainsNothing) { EXPECT_FALSE(Box::empty().contains(glm::vec3(0))); }
 
 TEST(Box, EmptyExtendedByAPointIsThatPoint) {
   Box box = Box::empty();

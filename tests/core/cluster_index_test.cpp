@@ -17,8 +17,7 @@ std::vector<Cluster> clusters_of(const gen::Scene& scene) {
   std::vector<Cluster> list;
   for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
     const auto& [position, intensity] = scene.lights[i];
-    list.push_back({{position, position},
-                    double(intensity.x) + intensity.y + intensity.z, i, i});
+    list.push_back({{position, position}, double(intensity.x) + intensity.y + intensity.z, i, i});
   }
   return list;
 }

@@ -161,6 +161,17 @@ TEST(CutSelector, OfOneLightIsThatLight) {
   EXPECT_FLOAT_EQ(cut.radiance.x, float(std::numbers::inv_pi));
 }
 
+TEST(CutSelector, ScalesTheRepresentativeToTheIntensityOfTheCluster) {
+  LightSet lights;
+  for (int i = 0; i < 3; ++i) lights.add_omni({0, 0, 1}, {i, i * i, 0});
+  const LightTree tree = build(lights);
+  CutSelector select(tree, {.max_size = 1});
+  const Cut cut = select(floor_at({0, 0, 0}), everything);
+  EXPECT_FLOAT_EQ(cut.radiance.x, 3 * float(std::numbers::inv_pi));
+  EXPECT_FLOAT_EQ(cut.radiance.y, 5 * float(std::numbers::inv_pi));
+  EXPECT_EQ(cut.radiance.z, 0);
+}
+
 TEST(CutSelector, RefinesADarkPointToTheEnd) {
   const LightTree tree = build(row(20));
   CutSelector select(tree);

@@ -21,10 +21,14 @@ constexpr float largest = std::numeric_limits<float>::max();
 double some_value(gen::Dice& dice) {
   const double value = std::abs(dice.finite_float());
   switch (dice.below(4)) {
-  case 0: return value;
-  case 1: return std::nextafter(value, 1e300);
-  case 2: return value * dice.uniform(0, 2);
-  default: return std::pow(10.0, dice.uniform(-320, 300));
+  case 0:
+    return value;
+  case 1:
+    return std::nextafter(value, 1e300);
+  case 2:
+    return value * dice.uniform(0, 2);
+  default:
+    return std::pow(10.0, dice.uniform(-320, 300));
   }
 }
 
@@ -68,9 +72,9 @@ std::ostream& operator<<(std::ostream& out, const PowerCase& p) {
 
 rc::Gen<PowerCase> power_case() {
   return gen::from_dice<PowerCase>([](gen::Dice& dice) {
-    const float exponent = dice.pick({0.0F, 1.0F, 10.0F, 1000.0F, 0x1p20F, 0x1.ffffep19F,
-                                      float(dice.uniform(0, 8)), float(dice.uniform(0, 0x1p20)),
-                                      std::abs(dice.subnormal())});
+    const float exponent =
+        dice.pick({0.0F, 1.0F, 10.0F, 1000.0F, 0x1p20F, 0x1.ffffep19F, float(dice.uniform(0, 8)),
+                   float(dice.uniform(0, 0x1p20)), std::abs(dice.subnormal())});
     const double least = std::pow(10.0, -300.0 / std::max(exponent, 1.0F));
     const double base = dice.one_in(8) ? 1.0 : dice.uniform(least, 1);
     return PowerCase{base, exponent};

@@ -43,8 +43,7 @@ TEST(Build, YieldsTheNaiveTreeOfAFullLattice) {
 
 TEST(Build, YieldsTheNaiveTreeOfManyCoincidentAndBlackLights) {
   LightSet lights;
-  for (int i = 0; i < 120; ++i)
-    lights.add_omni({i % 3, 0, 0}, glm::vec3(i % 4 == 0 ? 0.0F : 1.0F));
+  for (int i = 0; i < 120; ++i) lights.add_omni({i % 3, 0, 0}, glm::vec3(i % 4 == 0 ? 0.0F : 1.0F));
   EXPECT_EQ(difference(build(lights), 0, *naive_build(lights)), "");
 }
 

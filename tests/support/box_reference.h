@@ -79,8 +79,10 @@ std::vector<Point> candidates(const Point& n, const ExactBox& box) {
         Exact m = 0, a = 0, c = 0;
         for (int i = 0; i < 3; ++i) {
           const bool is_free = (free >> i) & 1;
-          if (is_free) m += n[i] * n[i];
-          else a += n[i] * q[i], c += q[i] * q[i];
+          if (is_free)
+            m += n[i] * n[i];
+          else
+            a += n[i] * q[i], c += q[i] * q[i];
         }
         const auto t = root<K>(m, a, c);
         if (!t) continue;

@@ -24,9 +24,9 @@ struct CutCase {
 };
 
 inline std::ostream& operator<<(std::ostream& out, const CutCase& c) {
-  return out << c.scene << "\nthreshold " << c.config.threshold << " max_size "
-             << c.config.max_size << " black_level " << c.config.black_level << " hidden "
-             << std::hex << c.hidden << std::dec;
+  return out << c.scene << "\nthreshold " << c.config.threshold << " max_size " << c.config.max_size
+             << " black_level " << c.config.black_level << " hidden " << std::hex << c.hidden
+             << std::dec;
 }
 
 inline rc::Gen<CutCase> cut_case() {
@@ -36,8 +36,8 @@ inline rc::Gen<CutCase> cut_case() {
     const float black_level = dice.pick({0.0F, 0.0F, 1e-3F, 1e30F});
     return CutConfig{threshold, max_size, black_level};
   });
-  const auto hidden = rc::gen::oneOf(rc::gen::just(0U), rc::gen::arbitrary<std::uint32_t>(),
-                                     rc::gen::just(~0U));
+  const auto hidden =
+      rc::gen::oneOf(rc::gen::just(0U), rc::gen::arbitrary<std::uint32_t>(), rc::gen::just(~0U));
   return rc::gen::map(rc::gen::tuple(gen::scene(), config, hidden), [](const auto& t) {
     return CutCase{std::get<0>(t), std::get<1>(t), std::get<2>(t)};
   });

@@ -42,13 +42,20 @@ public:
   float subnormal() { return float(between(-100, 100)) * 0x1p-149F; }
   float finite_float() {
     switch (below(8)) {
-    case 0: return pick({0.0F, -0.0F});
-    case 1: return float(between(-4, 4));
-    case 2: return float(between(-8, 8)) / 4;
-    case 3: return float(uniform(-1, 1));
-    case 4: return log_uniform(-30, 30);
-    case 5: return log_uniform(-45, 38.6);
-    case 6: return subnormal();
+    case 0:
+      return pick({0.0F, -0.0F});
+    case 1:
+      return float(between(-4, 4));
+    case 2:
+      return float(between(-8, 8)) / 4;
+    case 3:
+      return float(uniform(-1, 1));
+    case 4:
+      return log_uniform(-30, 30);
+    case 5:
+      return log_uniform(-45, 38.6);
+    case 6:
+      return subnormal();
     default:
       return pick({0x1.fffffep127F, -0x1.fffffep127F, 0x1p-126F, 1e8F, -1e8F, 0x1p-149F});
     }
@@ -66,15 +73,18 @@ public:
   }
   glm::vec3 unit_vector() {
     switch (below(5)) {
-    case 0: return axis();
-    case 1: return normalised(glm::dvec3(lattice()));
+    case 0:
+      return axis();
+    case 1:
+      return normalised(glm::dvec3(lattice()));
     case 2: { // grazing: an axis but for very small components
       glm::vec3 v = axis();
       for (int i = 0; i < 3; ++i)
         if (v[i] == 0) v[i] = one_in(2) ? subnormal() : log_uniform(-45, -7);
       return v;
     }
-    default: return normalised(glm::dvec3(in_cube()));
+    default:
+      return normalised(glm::dvec3(in_cube()));
     }
   }
 

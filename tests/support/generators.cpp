@@ -12,8 +12,19 @@ namespace {
 
 /// Where the lights of one scene are, relative to the shading point.
 enum class Place {
-  lattice, cube, clump, line, plane, coincident, tangent, at_point, next_to_point, shares_coordinate,
-  far, stiff, count
+  lattice,
+  cube,
+  clump,
+  line,
+  plane,
+  coincident,
+  tangent,
+  at_point,
+  next_to_point,
+  shares_coordinate,
+  far,
+  stiff,
+  count
 };
 
 glm::vec3 finite(const glm::dvec3& v) {
@@ -38,16 +49,26 @@ glm::vec3 next_to(Dice& dice, const glm::vec3& p) {
 glm::vec3 position(Dice& dice, Place place, const View& view, const glm::vec3& anchor) {
   const glm::dvec3 a(anchor);
   switch (place) {
-  case Place::lattice: return dice.lattice();
-  case Place::cube: return dice.in_cube();
-  case Place::clump: return finite(a + 1e-3 * glm::dvec3(dice.in_cube()));
-  case Place::line: return finite(a + dice.uniform(-1, 1) * glm::dvec3(1, 0.5, 0));
-  case Place::plane: return {dice.uniform(-1, 1), dice.uniform(-1, 1), anchor.z};
-  case Place::coincident: return anchor;
-  case Place::tangent: return in_tangent_plane(dice, view);
-  case Place::at_point: return view.position;
-  case Place::next_to_point: return next_to(dice, view.position);
-  case Place::far: return glm::vec3(1e8F) + 8.0F * dice.lattice();
+  case Place::lattice:
+    return dice.lattice();
+  case Place::cube:
+    return dice.in_cube();
+  case Place::clump:
+    return finite(a + 1e-3 * glm::dvec3(dice.in_cube()));
+  case Place::line:
+    return finite(a + dice.uniform(-1, 1) * glm::dvec3(1, 0.5, 0));
+  case Place::plane:
+    return {dice.uniform(-1, 1), dice.uniform(-1, 1), anchor.z};
+  case Place::coincident:
+    return anchor;
+  case Place::tangent:
+    return in_tangent_plane(dice, view);
+  case Place::at_point:
+    return view.position;
+  case Place::next_to_point:
+    return next_to(dice, view.position);
+  case Place::far:
+    return glm::vec3(1e8F) + 8.0F * dice.lattice();
   case Place::shares_coordinate: {
     glm::vec3 v = dice.in_cube();
     for (int i = dice.between(1, 2); i > 0; --i) {
@@ -56,23 +77,29 @@ glm::vec3 position(Dice& dice, Place place, const View& view, const glm::vec3& a
     }
     return v;
   }
-  default: return dice.finite_vector();
+  default:
+    return dice.finite_vector();
   }
 }
 
-glm::vec3 not_negative(const glm::vec3& v) {
-  return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
-}
+glm::vec3 not_negative(const glm::vec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
 glm::vec3 intensity(Dice& dice, int kind) {
   glm::vec3 v(0);
   switch (kind) {
-  case 0: return glm::vec3(1);
-  case 1: return not_negative(dice.in_cube());
-  case 2: return not_negative(dice.finite_vector());
-  case 3: v[dice.below(3)] = 1; return v;
-  case 4: return glm::vec3(dice.pick({0.0F, 1.0F, 1e30F, 0x1p-149F, 0x1.fffffep127F}));
-  default: return glm::vec3(std::abs(dice.log_uniform(-12, 12)));
+  case 0:
+    return glm::vec3(1);
+  case 1:
+    return not_negative(dice.in_cube());
+  case 2:
+    return not_negative(dice.finite_vector());
+  case 3:
+    v[dice.below(3)] = 1;
+    return v;
+  case 4:
+    return glm::vec3(dice.pick({0.0F, 1.0F, 1e30F, 0x1p-149F, 0x1.fffffep127F}));
+  default:
+    return glm::vec3(std::abs(dice.log_uniform(-12, 12)));
   }
 }
 
@@ -86,12 +113,16 @@ Material material(Dice& dice) {
                              ? dice.pick({0.0F, 1.0F, 10.0F, 1000.0F, 0x1p20F, 0.5F, 2.75F})
                              : std::min(std::abs(dice.log_uniform(-3, 6.03)), 0x1p20F);
   switch (dice.below(8)) {
-  case 0: return {};
+  case 0:
+    return {};
   case 1:
   case 2:
-  case 3: return {reflectance(dice)};
-  case 4: return {glm::vec3(0), reflectance(dice), exponent};
-  default: return {reflectance(dice), reflectance(dice), exponent};
+  case 3:
+    return {reflectance(dice)};
+  case 4:
+    return {glm::vec3(0), reflectance(dice), exponent};
+  default:
+    return {reflectance(dice), reflectance(dice), exponent};
   }
 }
 
@@ -107,11 +138,19 @@ glm::vec3 amid_lights(Dice& dice, const std::vector<OmniLight>& lights) {
 View make_view(Dice& dice) {
   View view;
   switch (dice.below(5)) {
-  case 0: break;
-  case 1: view.position = dice.lattice(); break;
-  case 2: view.position = dice.finite_vector(); break;
-  case 3: view.position = glm::vec3(1e8F) + dice.lattice(); break;
-  default: view.position = dice.in_cube();
+  case 0:
+    break;
+  case 1:
+    view.position = dice.lattice();
+    break;
+  case 2:
+    view.position = dice.finite_vector();
+    break;
+  case 3:
+    view.position = glm::vec3(1e8F) + dice.lattice();
+    break;
+  default:
+    view.position = dice.in_cube();
   }
   view.normal = dice.unit_vector();
   view.to_viewer = dice.one_in(4) ? view.normal : dice.unit_vector();

@@ -53,7 +53,8 @@ inline Quad power(Quad base, float exponent) {
 
 inline Quad pi() { return boost::math::constants::pi<Quad>(); }
 
-/// material(l) in the direction of a given cosine with the mirror direction; a cosine <= 0: no lobe.
+/// material(l) in the direction of a given cosine with the mirror direction; a cosine <= 0: no
+/// lobe.
 inline Colour brdf(const Material& m, const Quad& mirror_cosine) {
   const Quad lobe = mirror_cosine > 0
                         ? (Quad(m.exponent) + 2) / (2 * pi()) * power(mirror_cosine, m.exponent)

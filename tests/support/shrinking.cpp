@@ -20,8 +20,7 @@ void simplify(std::vector<T>& list, const T& whole, Part&& part) {
 
 template <class T, class Part>
 void simplify_vector(std::vector<T>& list, const T& whole, Part&& part) {
-  for (int i = 0; i < 3; ++i)
-    simplify(list, whole, [&](T& t) -> float& { return part(t)[i]; });
+  for (int i = 0; i < 3; ++i) simplify(list, whole, [&](T& t) -> float& { return part(t)[i]; });
 }
 
 template <class T, class Part>
@@ -94,8 +93,9 @@ std::vector<BoxView> simpler(const BoxView& view) {
   simplify_vector(list, view, [](BoxView& v) -> glm::vec3& { return v.n; });
   simplify_vector(list, view, [](BoxView& v) -> glm::vec3& { return v.box.lo; });
   simplify_vector(list, view, [](BoxView& v) -> glm::vec3& { return v.box.hi; });
-  std::erase_if(list, [](const BoxView& v) { return v.box.lo.x > v.box.hi.x ||
-      v.box.lo.y > v.box.hi.y || v.box.lo.z > v.box.hi.z; });
+  std::erase_if(list, [](const BoxView& v) {
+    return v.box.lo.x > v.box.hi.x || v.box.lo.y > v.box.hi.y || v.box.lo.z > v.box.hi.z;
+  });
   return list;
 }
 

@@ -102,7 +102,12 @@ template <int K>
     }
     const bool last = end == std::numeric_limits<double>::infinity();
     if (last || (K - 1) * g.b * end * end + K * g.a * end >= g.c) {
-      if constexpr (K == 1) return std::sqrt(g.a * g.a / g.c + g.b);
+      if constexpr (K == 1) {
+        // Rounding may have missed the root at the end of the segment before; the one of this
+        // segment's line may then lie far ahead of it.
+        const double root = std::max(g.c / g.a, s);
+        return (g.a + root * g.b) / std::sqrt(g.c + root * g.b * root);
+      }
       const double d = std::sqrt(9 * g.a * g.a + 8 * g.b * g.c);
       const double root = g.a > 0 ? 2 * g.c / (3 * g.a + d) : (d - 3 * g.a) / (4 * g.b);
       // In this order: root alone may exceed 10^160, where b is 0.

@@ -12,7 +12,8 @@ namespace lightcuts {
 inline constexpr double estimate_error = 0x1p-23;
 
 /// Upper bound of |to_float(total) - exact| for one channel, where total >= 0 is a sum of estimates
-/// in double and bounds the sum of their error bounds. At least 2^-149; +inf where to_float(total) is.
+/// in double and bounds the sum of their error bounds. At least 2^-149; +inf where to_float(total)
+/// is.
 [[nodiscard]] inline float certified_error(double total, double bounds) {
   constexpr float infinite = std::numeric_limits<float>::infinity();
   if (to_float(total) == infinite) return infinite;

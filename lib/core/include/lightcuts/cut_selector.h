@@ -192,10 +192,12 @@ private:
   /// Sums the total anew and orders all clusters by their bounds relative to it.
   void rekey() {
     total_ = summed();
-    // A nearly dark channel must not drown the others; nor may 1/0 meet a bound of 0.
-    const double least =
-        std::max({0x1p-10 * total_.x, 0x1p-10 * total_.y, 0x1p-10 * total_.z, 0x1p-800});
-    for (int c = 0; c < 3; ++c) weight_[c] = 1 / std::max(total_[c], least);
+    // Such that a key is at most the threshold if and only if its cluster obeys, and finite.
+    for (int c = 0; c < 3; ++c)
+      weight_[c] =
+          config_.threshold > 0
+              ? 1 / std::max({total_[c], double(config_.black_level) / config_.threshold, 0x1p-800})
+              : 1;
     keyed_at_size_ = clusters_.size();
     queue_.clear();
     for (std::uint32_t i = 0; i < clusters_.size(); ++i)

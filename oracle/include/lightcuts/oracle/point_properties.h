@@ -24,8 +24,8 @@ struct PointCase {
 void check_clusters(const Subject& subject, const PointCase& at, Tally& tally);
 
 /// Checks one cut: cut-partitions-lights, cut-obeys-threshold, certified-error-holds,
-/// total-does-not-drift, results-are-finite; with a threshold of 0 and a size for all lights,
-/// zero-threshold-is-exact too.
+/// total-does-not-drift, results-are-finite; with a threshold of 0, no black level and a size
+/// for all lights, zero-threshold-is-exact too.
 void check_cut(const Subject& subject, const CutConfig& config, const Cut& cut, const PointCase& at,
                Tally& tally);
 

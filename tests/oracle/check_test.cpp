@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/oracle/check.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <lightcuts/input_error.h>
+#include <lightcuts/oracle/mutants.h>
+#include <lightcuts/tree_builder.h>
+
+#include "judged_point.h"
+#include "small_scene.h"
+
+namespace lightcuts::oracle {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr auto occlusion = Property::occlusion_equals_brute_force;
+
+CheckConfig config_of(std::uint64_t pairs, unsigned threads = 2) {
+  CheckConfig config;
+  config.pairs = pairs;
+  config.threads = threads;
+  return config;
+}
+
+CheckResult check_library(const Scene& scene, const CheckConfig& config) {
+  const SceneView view(scene);
+  const LightTree tree = build(scene.lights);
+  return check(view, *library_subject(tree), config);
+}
+
+bool same_counts(const Tally& a, const Tally& b) {
+  for (std::size_t i = 0; i < property_count; ++i) {
+    const PropertyCount& p = a[Property(i)];
+    const PropertyCount& q = b[Property(i)];
+    if (p.cases != q.cases || p.violations != q.violations || p.worst_ratio != q.worst_ratio ||
+        p.first_place != q.first_place || p.first_violation != q.first_violation)
+      return false;
+  }
+  return true;
+}
+
+TEST(Check, FindsNothingWrongWithTheLibrary) {
+  const CheckResult result = check_library(shaded_floor_scene(40), config_of(20'000));
+  EXPECT_THAT(violated(result.tally), IsEmpty());
+  for (std::size_t i = 0; i < property_count; ++i)
+    EXPECT_GT(result.tally[Property(i)].cases, 0U) << info(Property(i)).name;
+}
+
+TEST(Check, CountsTheSameForAnyNumberOfThreads) {
+  const Scene scene = shaded_floor_scene(30);
+  const SceneView view(scene);
+  const LightTree tree = build(scene.lights);
+  // With something to find: the order of violations must not show either.
+  const auto subject = mutants().back().make(tree);
+  const CheckResult one = check(view, *subject, config_of(6'000, 1));
+  EXPECT_GT(one.tally.violations(), 0U);
+  for (const unsigned threads : {2U, 5U}) {
+    const CheckResult many = check(view, *subject, config_of(6'000, threads));
+    EXPECT_TRUE(same_counts(one.tally, many.tally)) << threads << " threads";
+    EXPECT_EQ(one.rays, many.rays);
+    EXPECT_EQ(one.undecided_rays, many.undecided_rays);
+  }
+}
+
+TEST(Check, VisitsAtLeastSoManyPairs) {
+  const Scene scene = floor_scene(10);
+  for (const std::uint64_t pairs : {1U, 19U, 20U, 1000U}) {
+    const CheckResult result = check_library(scene, config_of(pairs));
+    EXPECT_GE(result.pairs, pairs);
+    EXPECT_LT(result.pairs, pairs + 19);
+    EXPECT_EQ(result.pairs, result.points * 19);
+    EXPECT_EQ(result.tally[Property::bound_dominates_contribution].cases, result.pairs);
+  }
+}
+
+TEST(Check, ComparesTheRaysItCounts) {
+  const CheckResult result = check_library(shaded_floor_scene(20), config_of(4'000));
+  EXPECT_GE(result.rays, 1000U);
+  EXPECT_EQ(result.rays - result.undecided_rays, result.tally[occlusion].cases);
+}
+
+TEST(Check, DependsOnTheSeed) {
+  const Scene scene = shaded_floor_scene(20);
+  CheckConfig config = config_of(2'000);
+  const CheckResult one = check_library(scene, config);
+  EXPECT_TRUE(same_counts(one.tally, check_library(scene, config).tally));
+  config.seed = 2;
+  EXPECT_FALSE(same_counts(one.tally, check_library(scene, config).tally));
+}
+
+TEST(Check, ReportsProgressUpToTheEnd) {
+  double last = 0;
+  CheckConfig config = config_of(2'000, 1);
+  config.progress = [&](double share) {
+    EXPECT_GE(share, last);
+    last = share;
+  };
+  (void)check_library(floor_scene(20), config);
+  EXPECT_EQ(last, 1);
+}
+
+// The view keeps its own copy of the triangles, as they were: its answers miss the last square.
+TEST(Check, ConvictsAnOccluderThatMissesTheLastTriangles) {
+  Scene scene = shaded_floor_scene(30);
+  const SceneView view(scene);
+  ASSERT_TRUE(view.may_occlude());
+  add_quad(scene, {-1.4F, 0.5F, 0.5F}, {-0.4F, 0.5F, 0.5F}, {-0.4F, 0.5F, -0.5F},
+           {-1.4F, 0.5F, -0.5F});
+  const LightTree tree = build(scene.lights);
+  const CheckResult result = check(view, *library_subject(tree), config_of(6'000));
+  EXPECT_THAT(violated(result.tally), ElementsAre(occlusion));
+  EXPECT_THAT(result.tally[occlusion].first_violation, testing::HasSubstr("seen, by brute force blocked"));
+}
+
+TEST(Check, ConvictsAnOccluderThatHasTrianglesTooMany) {
+  Scene scene = shaded_floor_scene(30);
+  const SceneView view(scene);
+  scene.mesh.triangles.resize(2);
+  const LightTree tree = build(scene.lights);
+  const CheckResult result = check(view, *library_subject(tree), config_of(6'000));
+  EXPECT_THAT(violated(result.tally), ElementsAre(occlusion));
+  EXPECT_THAT(result.tally[occlusion].first_violation, testing::HasSubstr("blocked, by brute force seen"));
+}
+
+// With threshold 0, but a black level, the cut is not exact.
+TEST(Check, DoesNotAskForExactnessUnderABlackLevel) {
+  CheckConfig config = config_of(6'000);
+  config.cut = {0, 1000, 0.05F};
+  EXPECT_THAT(violated(check_library(shaded_floor_scene(30), config).tally), IsEmpty());
+}
+
+TEST(Check, RefusesACameraThatSeesNothing) {
+  Scene scene = floor_scene(3);
+  scene.camera.target = {0, 6, 0.5F};
+  scene.camera.up = {1, 0, 0};
+  EXPECT_THROW((void)check_library(scene, config_of(100)), InputError);
+}
+
+TEST(Check, RefusesASceneWithoutLights) {
+  EXPECT_THROW((void)check_library(floor_scene(0), config_of(100)), InputError);
+}
+
+} // namespace
+} // namespace lightcuts::oracle

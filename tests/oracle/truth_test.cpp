@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/oracle/truth.h>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "../support/generators.h"
+#include "../support/precise.h"
+#include "judged_point.h"
+
+namespace lightcuts::oracle {
+namespace {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+
+/// Whether value is within truth_error of exact, or below what long double can say.
+bool agrees(long double value, const Exact& exact) {
+  if (exact < std::numeric_limits<long double>::min()) return value < 1e-4900L;
+  return abs(Exact(value) - exact) <= exact * Exact(truth_error);
+}
+
+void expect_agreement(const OmniLight& light, const ShadingPoint& point) {
+  const Wide value = contribution(light, point);
+  for (int c = 0; c < 3; ++c) {
+    const Exact exact = exact_contribution(light, point, c);
+    EXPECT_GT(exact, 0);
+    EXPECT_TRUE(agrees(value[c], exact)) << double(value[c]) << " against " << exact;
+  }
+}
+
+RC_GTEST_PROP(Truth, InLongDoubleIsWithinItsErrorOfTheExactOne, ()) {
+  const gen::Scene scene = *gen::scene(4);
+  const ShadingPoint point = scene.view.point();
+  for (const OmniLight& light : scene.lights) {
+    const Wide value = contribution(light, point);
+    for (int c = 0; c < 3; ++c) RC_ASSERT(agrees(value[c], exact_contribution(light, point, c)));
+  }
+}
+
+RC_GTEST_PROP(Truth, EqualsThatOfTheTestsOwnFormula, ()) {
+  const gen::Scene scene = *gen::scene(4);
+  const ShadingPoint point = scene.view.point();
+  for (const OmniLight& light : scene.lights) {
+    const precise::Colour other = precise::contribution(point, light);
+    for (int c = 0; c < 3; ++c) {
+      const Exact exact = exact_contribution(light, point, c);
+      RC_ASSERT(abs(exact - Exact(other[c])) <= exact * Exact(0x1p-100));
+    }
+  }
+}
+
+TEST(Truth, IsAccurateAtGrazingLight) {
+  const OmniLight grazing{{1e15F, -1e15F, 0x1p-149F}, glm::vec3(1)};
+  expect_agreement(grazing, diffuse_point());
+}
+
+// n.y and n.x agree to 24 bits and cancel.
+TEST(Truth, IsAccurateFarFromTheOrigin) {
+  const Material glossy{glm::vec3(0.5F), glm::vec3(0.5F), 100};
+  const ShadingPoint far({1e8F, 1e8F, 1e8F}, {0.6F, 0, 0.8F}, {0, 0.6F, 0.8F}, glossy);
+  expect_agreement({{1e8F + 8, 1e8F, 1e8F}, glm::vec3(1)}, far);
+}
+
+TEST(Truth, IsAccurateWhereTheDotProductCancelsAltogether) {
+  const glm::vec3 normal(0.6F, -0.8F, 0x1p-100F);
+  const ShadingPoint point(glm::vec3(0), normal, normal, {glm::vec3(1)});
+  // 0.6F a - 0.8F b is 0 here, and what is left is 2^-100.
+  expect_agreement({{0.8F, 0.6F, 1}, glm::vec3(1)}, point);
+}
+
+TEST(Truth, IsAccurateAtTheLargestExponent) {
+  const Material mirror{glm::vec3(0), glm::vec3(1), Material::max_exponent};
+  const ShadingPoint point(glm::vec3(0), {0, 0, 1}, {0, 0, 1}, mirror);
+  expect_agreement({{0.001F, 0, 1}, glm::vec3(1)}, point);
+  expect_agreement({{0.05F, 0.01F, 1}, glm::vec3(1)}, point); // 10^-592
+}
+
+TEST(Truth, HasNoContributionFromBehindOrFromThePointItself) {
+  for (const glm::vec3& y : {glm::vec3(1, 0, -1), glm::vec3(1, 2, 0), glm::vec3(0)}) {
+    EXPECT_EQ(contribution({y, glm::vec3(1)}, diffuse_point()), Wide{});
+    EXPECT_EQ(exact_contribution({y, glm::vec3(1)}, diffuse_point(), 0), 0);
+  }
+}
+
+TEST(Truth, OfALightOverhead) {
+  const Wide value = contribution({{0, 0, 2}, {1, 2, 4}}, diffuse_point());
+  const long double red = 0.5L / 4 / std::acos(-1.0L);
+  for (int c = 0; c < 3; ++c)
+    EXPECT_LE(std::abs(value[c] / (red * (1 << c)) - 1), truth_error);
+}
+
+RC_GTEST_PROP(Truth, OfAClusterIsTheSumOverItsLights, ()) {
+  const gen::Scene scene = *gen::scene(12);
+  LightTree tree = build(scene.light_set());
+  const auto mask = *rc::gen::arbitrary<std::uint32_t>();
+  std::vector<char> visible;
+  for (std::size_t i = 0; i < tree.lights().size(); ++i) visible.push_back((mask >> i) & 1U);
+  const JudgedPoint judged(std::move(tree), scene.view.point(), visible);
+  for (std::uint32_t node = 0; node < judged.tree.nodes().size(); ++node)
+    for (int c = 0; c < 3; ++c) {
+      RC_ASSERT(agrees(judged.truth.open(node)[c], judged.truth.exact_open(node, c)));
+      RC_ASSERT(agrees(judged.truth.seen(node)[c], judged.truth.exact_seen(node, c)));
+    }
+  Exact open = 0, seen = 0;
+  for (std::uint32_t i = 0; i < visible.size(); ++i) {
+    const Exact one = exact_contribution(judged.tree.lights()[i], judged.point, 1);
+    open += one;
+    if (visible[i] != 0) seen += one;
+  }
+  RC_ASSERT(abs(judged.truth.exact_open(0, 1) - open) <= open * Exact(0x1p-600));
+  RC_ASSERT(abs(judged.truth.exact_seen(0, 1) - seen) <= seen * Exact(0x1p-600));
+}
+
+TEST(Dominates, DecidesTiesToTheLastBit) {
+  const float bound = 0.1F;
+  for (const long double margin : {0.0L, 0.001L}) {
+    const auto decide = [&](float candidate) {
+      return dominates(candidate, bound, margin, [&] { return Exact(bound); });
+    };
+    EXPECT_TRUE(decide(bound));
+    EXPECT_TRUE(decide(std::nextafter(bound, 1.0F)));
+    EXPECT_FALSE(decide(std::nextafter(bound, 0.0F)));
+  }
+}
+
+// Long double errs by more than the difference; 700 bits know.
+TEST(Dominates, AsksForTheExactValueWithinTheMargin) {
+  const Exact above = Exact(1) + ldexp(Exact(1), -300);
+  EXPECT_FALSE(dominates(1.0F, 1.0L, 0x1p-40L, [&] { return above; }));
+  const Exact below = Exact(1) - ldexp(Exact(1), -300);
+  EXPECT_TRUE(dominates(1.0F, 1.0L, 0x1p-40L, [&] { return below; }));
+}
+
+TEST(Dominates, DoesNotAskBeyondTheMargin) {
+  const auto never = []() -> Exact { throw std::logic_error("asked"); };
+  EXPECT_TRUE(dominates(2.0F, 1.0L, 0.5L, never));
+  EXPECT_FALSE(dominates(0.25F, 1.0L, 0.5L, never));
+}
+
+TEST(Dominates, TakesInfinityForEnoughAndNothingLessThanANumber) {
+  const auto huge = [] { return Exact(1e300); };
+  EXPECT_TRUE(dominates(inf, 1e300L, 1e290L, huge));
+  EXPECT_FALSE(dominates(std::nanf(""), 0, 0, [] { return Exact(0); }));
+  EXPECT_FALSE(dominates(-1.0F, 0, 0, [] { return Exact(0); }));
+  EXPECT_FALSE(dominates(-inf, 0, 0, [] { return Exact(0); }));
+  EXPECT_TRUE(dominates(0.0F, 0, 0, [] { return Exact(0); }));
+}
+
+// A truth that is not a number is nothing to be larger than.
+TEST(Dominates, IsFalseForAnUnknownValue) {
+  const long double nan = std::nanl("");
+  EXPECT_FALSE(dominates(1.0F, nan, nan, [] { return Exact(std::nan("")); }));
+}
+
+} // namespace
+} // namespace lightcuts::oracle
