@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <lightcuts/input_error.h>
@@ -162,20 +163,19 @@ Report facts(const SceneView& view, const MeasureConfig& config) {
 
 void describe_needs(const SceneView& view, const Needs& needs, float threshold,
                     std::vector<std::string>& needed, std::vector<std::string>& left_out) {
-  const std::size_t lights = view.scene().lights.size();
-  (needs.specular ? needed : left_out)
-      .push_back(needs.specular ? "specular bound: some surfaces are glossy"
-                                : "specular bound: all surfaces are diffuse");
-  (needs.occlusion ? needed : left_out)
-      .push_back(needs.occlusion ? "shadow rays: something may stand before a light"
-                                 : "shadow rays: the scene is a convex room, nothing occludes");
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "light tree: at threshold %g %% cuts have %.1f of %zu lights and are expected to "
-                "take %.2f times as long as all lights",
-                100 * double(threshold), needs.pilot_cut_size, lights,
-                needs.pilot_cost_of_cuts / needs.pilot_cost_of_sums);
-  (needs.tree ? needed : left_out).emplace_back(text);
+  const auto say = [&](bool is_needed, const std::string& text) {
+    (is_needed ? needed : left_out).push_back(text);
+  };
+  say(needs.specular, needs.specular ? "specular bound: some surfaces are glossy"
+                                     : "specular bound: all surfaces are diffuse");
+  say(needs.occlusion, needs.occlusion
+                           ? "shadow rays: something may stand before a light"
+                           : "shadow rays: the scene is a convex room, nothing occludes");
+  say(needs.tree,
+      fmt::format("light tree: at threshold {:g} % cuts have {:.1f} of {} lights and are expected "
+                  "to take {:.2f} times as long as all lights",
+                  100 * double(threshold), needs.pilot_cut_size, view.scene().lights.size(),
+                  needs.pilot_cost_of_cuts / needs.pilot_cost_of_sums));
 }
 
 Measurement measure(const SceneView& view, const MeasureConfig& config) {

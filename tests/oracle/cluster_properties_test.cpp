@@ -172,7 +172,7 @@ TEST(ClusterProperties, AllowAnInfiniteBoundOfWhatExceedsTheLargestFloat) {
 TEST(ClusterProperties, ConvictABoxThatMissesALight) {
   const LightTree tree = four_lights();
   std::vector<TreeNode> nodes(tree.nodes().begin(), tree.nodes().end());
-  nodes[0].box.lo.z = nodes[0].box.hi.z;
+  nodes[0].box.lo = nodes[0].box.hi; // all at the farthest light
   const JudgedPoint judged(LightTree(tree.lights(), nodes), diffuse_point(), {1, 1, 1, 1});
   EXPECT_THAT(violated(judge(*library_subject(judged.tree), judged)),
               Contains(contribution_property));

@@ -28,8 +28,9 @@ int side(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const gl
 }
 
 /// Corners stand for the lights: a plane beside the box is beside the lights.
-std::vector<glm::dvec3> points_to_test(const TriangleMesh& mesh, const LightSet& lights) {
-  std::vector<glm::dvec3> points;
+std::vector<glm::dvec3> points_to_test(const TriangleMesh& mesh, const LightSet& lights,
+                                       const glm::vec3& eye) {
+  std::vector<glm::dvec3> points{eye};
   for (const glm::uvec3& t : mesh.triangles)
     for (int i = 0; i < 3; ++i) points.emplace_back(mesh.positions[t[i]]);
   Box box = Box::empty();
@@ -43,9 +44,10 @@ std::vector<glm::dvec3> points_to_test(const TriangleMesh& mesh, const LightSet&
 
 } // namespace
 
-bool encloses_lights_convexly(const TriangleMesh& mesh, const LightSet& lights) {
+bool encloses_lights_convexly(const TriangleMesh& mesh, const LightSet& lights,
+                              const glm::vec3& eye) {
   if (mesh.triangles.size() > 10000) return false;
-  const std::vector<glm::dvec3> points = points_to_test(mesh, lights);
+  const std::vector<glm::dvec3> points = points_to_test(mesh, lights, eye);
   for (const glm::uvec3& t : mesh.triangles) {
     bool below = false;
     bool above = false;

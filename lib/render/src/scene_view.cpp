@@ -8,7 +8,7 @@ namespace lightcuts {
 
 SceneView::SceneView(const Scene& scene)
     : scene_(&scene), occluder_(scene.mesh), camera_(scene.camera, scene.image_size),
-      may_occlude_(!encloses_lights_convexly(scene.mesh, scene.lights)) {}
+      may_occlude_(!encloses_lights_convexly(scene.mesh, scene.lights, scene.camera.position)) {}
 
 std::optional<VisiblePoint> SceneView::at(glm::uvec2 pixel) const {
   const glm::vec3 direction = camera_.direction(pixel);

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/oracle/measure.h>
+
+#include <atomic>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <lightcuts/input_error.h>
+
+#include "small_scene.h"
+
+namespace lightcuts::oracle {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+MeasureConfig quick() {
+  MeasureConfig config;
+  config.thresholds = {0.02F, 0.5F};
+  config.threads = 2;
+  config.repeats = 1;
+  return config;
+}
+
+Measurement measured(const Scene& scene, const MeasureConfig& config = quick()) {
+  return measure(SceneView(scene), config);
+}
+
+std::vector<std::pair<std::string, float>> rows_of(const Report& report) {
+  std::vector<std::pair<std::string, float>> rows;
+  for (const Run& run : report.runs) rows.emplace_back(run.method, float(run.threshold));
+  return rows;
+}
+
+/// So many lights that the tree pays at a loose threshold.
+Scene many_lights() { return floor_scene(4000); }
+
+TEST(Measure, HasTheRowsAskedFor) {
+  const Scene scene = floor_scene(20);
+  EXPECT_THAT(rows_of(measured(scene).report),
+              ElementsAre(std::pair("reference", 0), std::pair("lightcuts", 0.02F),
+                          std::pair("lightcuts", 0.5F)));
+  MeasureConfig config = quick();
+  config.methods = {Method::lightcuts};
+  config.thresholds = {0.1F};
+  EXPECT_THAT(rows_of(measured(scene, config).report), ElementsAre(std::pair("lightcuts", 0.1F)));
+  config.methods = {Method::reference};
+  EXPECT_THAT(rows_of(measured(scene, config).report), ElementsAre(std::pair("reference", 0)));
+}
+
+TEST(Measure, SaysWhatWasMeasured) {
+  const Scene scene = floor_scene(20);
+  MeasureConfig config = quick();
+  config.seed = 7;
+  config.repeats = 3;
+  const Report report = measured(scene, config).report;
+  EXPECT_EQ(report.scene, "floor");
+  EXPECT_EQ(report.seed, 7U);
+  EXPECT_EQ(report.lights, 20U);
+  EXPECT_EQ(report.triangles, 2U);
+  EXPECT_EQ(report.size, glm::uvec2(16, 12));
+  EXPECT_EQ(report.surface_pixels, 192U);
+  EXPECT_EQ(report.threads, 2U);
+  EXPECT_EQ(report.repeats, 3);
+  EXPECT_GT(report.black_level, 0);
+  EXPECT_EQ(report.cut_sizes.size(), 192U);
+}
+
+TEST(Measure, FindsTheReferenceWithoutError) {
+  const Run run = measured(floor_scene(20)).report.runs.front();
+  EXPECT_EQ(run.rel_rmse, 0);
+  EXPECT_EQ(run.max_relative_error, 0);
+  EXPECT_EQ(run.speedup_over_reference, 1);
+  EXPECT_EQ(run.mean_cut_size, 20);
+  EXPECT_EQ(run.build_seconds, 0);
+  EXPECT_EQ(run.efficiency, 0);
+  EXPECT_GT(run.render_seconds, 0);
+}
+
+TEST(Measure, TakesTheReferenceWhereTheTreeIsLeftOut) {
+  const Measurement m = measured(floor_scene(20));
+  EXPECT_FALSE(m.needs.tree);
+  const Run& reference = m.report.runs[0];
+  const Run& run = m.report.runs[1];
+  EXPECT_EQ(run.render_seconds, reference.render_seconds);
+  EXPECT_EQ(run.speedup_over_reference, 1);
+  EXPECT_EQ(run.rel_rmse, 0);
+  EXPECT_EQ(run.build_seconds, 0);
+  EXPECT_EQ(run.mean_cut_size, 20);
+  EXPECT_EQ(m.shown.radiance, m.reference.radiance);
+}
+
+TEST(Measure, UsesTheTreeForManyLights) {
+  const Measurement m = measured(many_lights());
+  const Run& run = m.report.runs.back();
+  EXPECT_GT(run.build_seconds, 0);
+  EXPECT_LT(run.mean_cut_size, 1000);
+  EXPECT_GT(run.rel_rmse, 0);
+  EXPECT_GE(run.max_relative_error, run.mean_relative_error);
+  EXPECT_GE(run.mean_certified_error, run.mean_relative_error);
+  EXPECT_NEAR(run.efficiency, 1 / (run.rel_rmse * run.rel_rmse * run.render_seconds),
+              1e-9 * run.efficiency);
+}
+
+TEST(Measure, FindsCutsNoSmallerThanTheClairvoyantOnes) {
+  for (const Run& run : measured(many_lights()).report.runs)
+    if (run.method == "lightcuts") {
+      EXPECT_GE(run.optimal_cut_size, 1);
+      EXPECT_GT(run.cut_efficiency, 0);
+      EXPECT_LE(run.cut_efficiency, 1);
+    }
+}
+
+TEST(Measure, ShowsThePictureAtTheThresholdNearestToTheDefault) {
+  MeasureConfig config = quick();
+  config.thresholds = {0.5F, 0.03F, 0.2F};
+  EXPECT_EQ(measured(floor_scene(20), config).shown_threshold, 0.03F);
+}
+
+TEST(Measure, ReportsProgressUpToTheEnd) {
+  double last = 0;
+  MeasureConfig config = quick();
+  config.threads = 1;
+  config.progress = [&](double share) {
+    EXPECT_GE(share, last);
+    last = share;
+  };
+  (void)measured(many_lights(), config);
+  EXPECT_NEAR(last, 1, 1e-12);
+}
+
+TEST(Measure, GivesTheSameErrorsEachTime) {
+  const Scene scene = many_lights();
+  const Report a = measured(scene).report, b = measured(scene).report;
+  for (std::size_t i = 0; i < a.runs.size(); ++i) {
+    EXPECT_EQ(a.runs[i].rel_rmse, b.runs[i].rel_rmse);
+    EXPECT_EQ(a.runs[i].mean_cut_size, b.runs[i].mean_cut_size);
+    EXPECT_EQ(a.runs[i].optimal_cut_size, b.runs[i].optimal_cut_size);
+  }
+}
+
+TEST(Measure, RefusesASceneWithoutLightsAndACameraThatSeesNothing) {
+  EXPECT_THROW((void)measured(floor_scene(0)), InputError);
+  Scene away = floor_scene(3);
+  away.camera.target = {0, 6, 0.5F};
+  away.camera.up = {1, 0, 0};
+  EXPECT_THROW((void)measured(away), InputError);
+}
+
+TEST(DescribeNeeds, SaysWhatIsNeededAndWhatIsLeftOut) {
+  const Scene scene = floor_scene(20);
+  const SceneView view(scene);
+  Needs needs;
+  needs.pilot_cut_size = 12.5;
+  needs.pilot_cost_of_cuts = 3;
+  needs.pilot_cost_of_sums = 2;
+  std::vector<std::string> needed, left_out;
+  describe_needs(view, needs, 0.02F, needed, left_out);
+  EXPECT_TRUE(needed.empty());
+  EXPECT_THAT(left_out,
+              ElementsAre(HasSubstr("specular bound"), HasSubstr("shadow rays"),
+                          testing::AllOf(HasSubstr("light tree"), HasSubstr("2 %"),
+                                         HasSubstr("12.5 of 20 lights"), HasSubstr("1.50 times"))));
+  needs.specular = needs.occlusion = needs.tree = true;
+  left_out.clear();
+  describe_needs(view, needs, 0.02F, needed, left_out);
+  EXPECT_EQ(needed.size(), 3U);
+  EXPECT_TRUE(left_out.empty());
+}
+
+} // namespace
+} // namespace lightcuts::oracle
