@@ -1,2 +1,73 @@
 // SPDX-License-Identifier: MIT
+#include "oracle_process.h"
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace lightcuts {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ScenesCommand, ListsTheBuiltinScenes) {
+  const Outcome outcome = OracleProcess().run({"scenes"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  for (const char* name : {"desk ", "desk-red ", "bedroom ", "cloud "})
+    EXPECT_THAT(outcome.out, HasSubstr(name));
+}
+
+TEST(ScenesCommand, ListsThemAsJson) {
+  const Outcome outcome = OracleProcess().run({"scenes", "--json", "-"});
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["schema"], "lightcuts-oracle/scenes/1");
+  EXPECT_EQ(json["scenes"][0]["name"], "desk");
+}
+
+TEST(InfoCommand, SaysWhatIsNeededAndLeftOut) {
+  const Outcome outcome = OracleProcess().run({"info", "cloud?lights=20&blocks=0"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("lights       20 omni"));
+  EXPECT_THAT(outcome.out, HasSubstr("left out     shadow rays"));
+  EXPECT_THAT(outcome.out, HasSubstr("left out     light tree"));
+}
+
+TEST(InfoCommand, SaysItAsJson) {
+  const Outcome outcome =
+      OracleProcess().run({"info", "cloud?lights=20", "--size", "31x17", "--json", "-"});
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["schema"], "lightcuts-oracle/info/1");
+  EXPECT_EQ(json["lights"], 20);
+  EXPECT_EQ(json["width"], 31);
+  EXPECT_EQ(json["height"], 17);
+  EXPECT_EQ(json["needed"].size() + json["left_out"].size(), 3U);
+}
+
+TEST(RenderCommand, WritesPicturesToTheFolder) {
+  const OracleProcess oracle;
+  const Outcome outcome =
+      oracle.run({"render", "cloud?lights=5", "--size", "16x12", "--out", "a b/ü"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("written to a b/ü"));
+  EXPECT_THAT(oracle.files(),
+              testing::IsSupersetOf({"a b/ü/image.exr", "a b/ü/image.png", "a b/ü/cut-size.png"}));
+  EXPECT_EQ(oracle.files().size(), 7U); // two folders and five files
+}
+
+TEST(RenderCommand, NamesTheFolderAfterTheScene) {
+  const OracleProcess oracle;
+  const Outcome outcome = oracle.run({"render", "cloud?lights=5", "--size", "4x3", "--threshold",
+                                      "0.5", "--method", "reference", "--json", "-"});
+  EXPECT_TRUE(exists(oracle.folder() / "out" / "cloud-lights-5" / "image.exr"));
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["schema"], "lightcuts-oracle/render/1");
+  EXPECT_EQ(json["method"], "reference");
+  EXPECT_EQ(json["threshold"], 0.5);
+  EXPECT_EQ(json["mean_cut_size"], 5);
+}
+
+} // namespace
+} // namespace lightcuts

@@ -112,7 +112,8 @@ TEST(Check, ConvictsAnOccluderThatMissesTheLastTriangles) {
   const LightTree tree = build(scene.lights);
   const CheckResult result = check(view, *library_subject(tree), config_of(6'000));
   EXPECT_THAT(violated(result.tally), ElementsAre(occlusion));
-  EXPECT_THAT(result.tally[occlusion].first_violation, testing::HasSubstr("seen, by brute force blocked"));
+  EXPECT_THAT(result.tally[occlusion].first_violation,
+              testing::HasSubstr("seen, by brute force blocked"));
 }
 
 TEST(Check, ConvictsAnOccluderThatHasTrianglesTooMany) {
@@ -122,7 +123,8 @@ TEST(Check, ConvictsAnOccluderThatHasTrianglesTooMany) {
   const LightTree tree = build(scene.lights);
   const CheckResult result = check(view, *library_subject(tree), config_of(6'000));
   EXPECT_THAT(violated(result.tally), ElementsAre(occlusion));
-  EXPECT_THAT(result.tally[occlusion].first_violation, testing::HasSubstr("blocked, by brute force seen"));
+  EXPECT_THAT(result.tally[occlusion].first_violation,
+              testing::HasSubstr("blocked, by brute force seen"));
 }
 
 // With threshold 0, but a black level, the cut is not exact.

@@ -80,7 +80,8 @@ TEST(ClusterProperties, ConvictABoundThatIsOneUlpTooLow) {
     const Tally tally = judge(low, judged);
     EXPECT_EQ(tally[contribution_property].violations, 1U);
     EXPECT_THAT(tally[contribution_property].first_violation,
-                testing::AllOf(testing::HasSubstr("node 2"), testing::HasSubstr("point (0.25, 0, 0)"),
+                testing::AllOf(testing::HasSubstr("node 2"),
+                               testing::HasSubstr("point (0.25, 0, 0)"),
                                testing::HasSubstr(std::string("channel ") + "rgb"[channel])));
   }
 }
@@ -113,8 +114,7 @@ TEST(ClusterProperties, ConvictChildrenWithSlightlyLargerBounds) {
   const JudgedPoint judged(four_lights(), diffuse_point(), {1, 1, 1, 1});
   const auto library = library_subject(judged.tree);
   const std::uint32_t a = judged.tree.node(0).first_child;
-  const glm::vec3 children =
-      library->bound(a, judged.point) + library->bound(a + 1, judged.point);
+  const glm::vec3 children = library->bound(a, judged.point) + library->bound(a + 1, judged.point);
   const auto with_root = [&](float factor) {
     const BentSubject subject(judged.tree, [&](std::uint32_t node, glm::vec3 bound) {
       return node == 0 ? factor * children : bound;
@@ -134,8 +134,7 @@ TEST(ClusterProperties, ConvictABoundThatIsNotANumber) {
 }
 
 TEST(ClusterProperties, ConvictANegativeBound) {
-  EXPECT_THAT(violated_by([](std::uint32_t, glm::vec3 bound) { return -bound; }),
-              Contains(finite));
+  EXPECT_THAT(violated_by([](std::uint32_t, glm::vec3 bound) { return -bound; }), Contains(finite));
 }
 
 TEST(ClusterProperties, ConvictAnInfiniteBoundOutsideTheBox) {

@@ -134,8 +134,7 @@ TEST(CutProperties, ConvictARadianceThatDrifted) {
 TEST(CutProperties, ConvictACertifiedErrorThatIsOneUlpTooSmall) {
   for (int c = 0; c < 3; ++c) {
     CutToSpoil spoilt(two_clusters);
-    const Exact error =
-        abs(Exact(spoilt.cut.radiance[c]) - spoilt.judged.truth.exact_seen(0, c));
+    const Exact error = abs(Exact(spoilt.cut.radiance[c]) - spoilt.judged.truth.exact_seen(0, c));
     float limit = error.convert_to<float>();
     if (limit < error) limit = std::nextafter(limit, inf);
     spoilt.cut.certified_error[c] = limit;

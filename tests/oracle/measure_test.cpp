@@ -30,7 +30,7 @@ Measurement measured(const Scene& scene, const MeasureConfig& config = quick()) 
 
 std::vector<std::pair<std::string, float>> rows_of(const Report& report) {
   std::vector<std::pair<std::string, float>> rows;
-  for (const Run& run : report.runs) rows.emplace_back(run.method, float(run.threshold));
+  for (const oracle::Run& run : report.runs) rows.emplace_back(run.method, float(run.threshold));
   return rows;
 }
 
@@ -69,7 +69,7 @@ TEST(Measure, SaysWhatWasMeasured) {
 }
 
 TEST(Measure, FindsTheReferenceWithoutError) {
-  const Run run = measured(floor_scene(20)).report.runs.front();
+  const oracle::Run run = measured(floor_scene(20)).report.runs.front();
   EXPECT_EQ(run.rel_rmse, 0);
   EXPECT_EQ(run.max_relative_error, 0);
   EXPECT_EQ(run.speedup_over_reference, 1);
@@ -82,8 +82,8 @@ TEST(Measure, FindsTheReferenceWithoutError) {
 TEST(Measure, TakesTheReferenceWhereTheTreeIsLeftOut) {
   const Measurement m = measured(floor_scene(20));
   EXPECT_FALSE(m.needs.tree);
-  const Run& reference = m.report.runs[0];
-  const Run& run = m.report.runs[1];
+  const oracle::Run& reference = m.report.runs[0];
+  const oracle::Run& run = m.report.runs[1];
   EXPECT_EQ(run.render_seconds, reference.render_seconds);
   EXPECT_EQ(run.speedup_over_reference, 1);
   EXPECT_EQ(run.rel_rmse, 0);
@@ -94,7 +94,7 @@ TEST(Measure, TakesTheReferenceWhereTheTreeIsLeftOut) {
 
 TEST(Measure, UsesTheTreeForManyLights) {
   const Measurement m = measured(many_lights());
-  const Run& run = m.report.runs.back();
+  const oracle::Run& run = m.report.runs.back();
   EXPECT_GT(run.build_seconds, 0);
   EXPECT_LT(run.mean_cut_size, 1000);
   EXPECT_GT(run.rel_rmse, 0);
@@ -105,7 +105,7 @@ TEST(Measure, UsesTheTreeForManyLights) {
 }
 
 TEST(Measure, FindsCutsNoSmallerThanTheClairvoyantOnes) {
-  for (const Run& run : measured(many_lights()).report.runs)
+  for (const oracle::Run& run : measured(many_lights()).report.runs)
     if (run.method == "lightcuts") {
       EXPECT_GE(run.optimal_cut_size, 1);
       EXPECT_GT(run.cut_efficiency, 0);

@@ -71,7 +71,8 @@ TEST(LibrarySubject, GivesTheLibrarysOwnAnswers) {
   EXPECT_EQ(subject->name(), "lightcuts");
   EXPECT_EQ(&subject->tree(), &tree);
   for (std::uint32_t i = 0; i < tree.nodes().size(); ++i)
-    EXPECT_EQ(subject->bound(i, diffuse_point()), contribution_bound(tree.node(i), diffuse_point()));
+    EXPECT_EQ(subject->bound(i, diffuse_point()),
+              contribution_bound(tree.node(i), diffuse_point()));
 }
 
 } // namespace

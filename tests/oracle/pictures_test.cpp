@@ -73,10 +73,9 @@ TEST(FilmOf, LeavesPixelsWithoutASurfaceBlack) {
 
 TEST(FilmOf, SaysWhereItComesFrom) {
   const Film film = film_of(source_of(nullptr));
-  EXPECT_EQ(film.metadata, (std::map<std::string, std::string>{{"scene", "desk"},
-                                                               {"seed", "5"},
-                                                               {"threshold", "0.02"},
-                                                               {"version", version}}));
+  EXPECT_EQ(film.metadata,
+            (std::map<std::string, std::string>{
+                {"scene", "desk"}, {"seed", "5"}, {"threshold", "0.02"}, {"version", version}}));
 }
 
 std::vector<std::string> names(const std::vector<std::pair<std::string, std::string>>& pictures) {

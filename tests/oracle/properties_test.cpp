@@ -96,8 +96,12 @@ TEST(RatioOf, IsTheQuotient) {
 TEST(RatioOf, IsAlwaysANumberThatJsonCanSay) {
   EXPECT_EQ(ratio_of(0, 0), 0);
   const long double nan = std::nanl("");
-  for (const auto& [left, right] : {std::pair{1.0L, 0.0L}, {nan, 1.0L}, {1.0L, nan}, {0.0L, nan},
-                                    {1e4000L, 1.0L}, {1.0L, -1.0L}})
+  for (const auto& [left, right] : {std::pair{1.0L, 0.0L},
+                                    {nan, 1.0L},
+                                    {1.0L, nan},
+                                    {0.0L, nan},
+                                    {1e4000L, 1.0L},
+                                    {1.0L, -1.0L}})
     EXPECT_EQ(ratio_of(left, right), largest) << left << " / " << right;
 }
 

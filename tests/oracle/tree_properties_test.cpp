@@ -48,9 +48,7 @@ RC_GTEST_PROP(TreeProperties, HoldForTheLibrary, ()) {
   RC_ASSERT(tally[belongs].cases == tree.nodes().size());
 }
 
-TEST(TreeProperties, HaveNothingToSayOfNoTree) {
-  EXPECT_EQ(judge(LightTree())[belongs].cases, 0U);
-}
+TEST(TreeProperties, HaveNothingToSayOfNoTree) { EXPECT_EQ(judge(LightTree())[belongs].cases, 0U); }
 
 TEST(TreeProperties, HoldForTheFourLights) {
   EXPECT_THAT(violated_after([](auto&) {}), IsEmpty());

@@ -87,8 +87,7 @@ TEST(Truth, HasNoContributionFromBehindOrFromThePointItself) {
 TEST(Truth, OfALightOverhead) {
   const Wide value = contribution({{0, 0, 2}, {1, 2, 4}}, diffuse_point());
   const long double red = 0.5L / 4 / std::acos(-1.0L);
-  for (int c = 0; c < 3; ++c)
-    EXPECT_LE(std::abs(value[c] / (red * (1 << c)) - 1), truth_error);
+  for (int c = 0; c < 3; ++c) EXPECT_LE(std::abs(value[c] / (red * (1 << c)) - 1), truth_error);
 }
 
 RC_GTEST_PROP(Truth, OfAClusterIsTheSumOverItsLights, ()) {

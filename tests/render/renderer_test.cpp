@@ -173,7 +173,8 @@ TEST(Renderer, MeasuresTime) {
 }
 
 TEST(Method, HasANameThatFindsIt) {
-  for (const Method m : {Method::reference, Method::lightcuts}) EXPECT_EQ(method_named(name_of(m)), m);
+  for (const Method m : {Method::reference, Method::lightcuts})
+    EXPECT_EQ(method_named(name_of(m)), m);
   EXPECT_EQ(method_named("Lightcuts"), std::nullopt);
   EXPECT_EQ(method_named(""), std::nullopt);
 }

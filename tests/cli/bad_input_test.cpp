@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "oracle_process.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "../render/gltf_file.h"
+
+namespace lightcuts {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string square = "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nf 1 2 3\nf 1 3 4\n";
+
+/// A scene of the square with one more member.
+std::string scene_json(const std::string& more) {
+  return "{\"geometry\": \"square.obj\",\n" + more + "}\n";
+}
+
+struct BadFile {
+  const char* name;
+  std::string file, content;
+  std::vector<std::string> says; ///< on stderr, after the file's name
+};
+
+void expect_refusal(const Outcome& outcome, const std::vector<std::string>& says) {
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(outcome.err.find("lightcuts-oracle: "), 0U) << outcome.err;
+  for (const std::string& part : says) EXPECT_THAT(outcome.err, HasSubstr(part));
+}
+
+class Input : public testing::TestWithParam<BadFile> {};
+
+TEST_P(Input, IsRefusedInOneLineThatNamesTheFile) {
+  const BadFile& bad = GetParam();
+  const OracleProcess oracle;
+  write(oracle.folder() / "square.obj", square);
+  write(oracle.folder() / bad.file, bad.content);
+  const std::size_t files = oracle.files().size();
+  expect_refusal(oracle.run({"render", bad.file, "--size", "4x3"}), {bad.file});
+  const Outcome outcome = oracle.run({"render", bad.file, "--size", "4x3"});
+  expect_refusal(outcome, bad.says);
+  EXPECT_EQ(oracle.files().size(), files);
+}
+
+std::string with_light(const std::string& position, const std::string& intensity) {
+  return scene_json("\"lights\": [{\"position\": [0, 1, 0], \"intensity\": 1},\n{\"position\": " +
+                    position + ", \"intensity\": " + intensity + "}]");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cli, Input,
+    testing::Values(
+        BadFile{"TruncatedObj", "cut.obj", square.substr(0, square.size() - 20), {}},
+        BadFile{"TruncatedGltf", "cut.gltf", test::gltf().dump().substr(0, 900), {}},
+        BadFile{"TruncatedGlb", "cut.glb", test::glb(test::gltf()).substr(0, 500), {}},
+        BadFile{"EmptyFile", "empty.obj", "", {}},
+        BadFile{"EmptyMesh", "points.obj", "v 0 0 0\nv 1 0 0\n", {"no triangles"}},
+        BadFile{"UnknownExtension", "scene.blend", "x", {"unknown kind of scene '.blend'"}},
+        BadFile{"NanVertex", "nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {}},
+        BadFile{"WithoutLights", "dark.obj", square, {"no lights", "--lights 1000"}},
+        BadFile{"NegativeIntensity",
+                "neg.json",
+                with_light("[0, 1, 0]", "[1, -2, 1]"),
+                {"/lights/1/intensity/1", "negative"}},
+        BadFile{"NanIntensity", "nan.json", with_light("[0, 1, 0]", "NaN"), {"line 3"}},
+        BadFile{"InfiniteIntensity",
+                "inf.json",
+                with_light("[0, 1, 0]", "1e39"),
+                {"/lights/1/intensity"}},
+        BadFile{"WrongType", "type.json", with_light("\"here\"", "1"), {"/lights/1/position"}},
+        BadFile{"WrongTypeOfGeometry", "geometry.json", "{\"geometry\": 7}", {"/geometry"}},
+        BadFile{"MalformedJson", "bad.json", scene_json("\"lights\": [}"), {"line 2", "column 12"}},
+        BadFile{"MissingGeometry", "far.json", "{\"geometry\": \"nowhere.obj\"}", {"nowhere.obj"}},
+        BadFile{"UnknownMember", "typo.json", scene_json("\"ligths\": []"), {"ligths"}},
+        BadFile{"ZeroWidth",
+                "size.json",
+                scene_json("\"image\": {\"width\": 0, \"height\": 9}"),
+                {"/image/width"}}),
+    [](const auto& of) { return of.param.name; });
+
+TEST(InputMissing, IsRefused) {
+  const OracleProcess oracle;
+  expect_refusal(oracle.run({"check", "no such.obj"}), {"no such.obj"});
+  expect_refusal(oracle.run({"check", "ü.json"}), {"ü.json"});
+  expect_refusal(oracle.run({"check", ""}), {"unknown built-in scene ''"});
+}
+
+TEST(InputFolder, IsRefused) {
+  const OracleProcess oracle;
+  for (const char* name : {"folder.obj", "folder.json", "folder.glb"}) {
+    create_directory(oracle.folder() / name);
+    expect_refusal(oracle.run({"check", name}), {name});
+  }
+}
+
+TEST(InputBuiltin, IsRefusedWhereItIsUnknown) {
+  const OracleProcess oracle;
+  expect_refusal(oracle.run({"check", "dask"}), {"'dask'", "desk"});
+  expect_refusal(oracle.run({"check", "cloud?lites=3"}), {"cloud", "lites"});
+  expect_refusal(oracle.run({"check", "cloud?lights=-3"}), {"lights"});
+}
+
+TEST(InputSize, IsRefusedOutsideItsDomain) {
+  const OracleProcess oracle;
+  expect_refusal(oracle.run({"check", "--size", "0x10"}), {"width is 0"});
+  expect_refusal(oracle.run({"check", "--size", "10x99999"}), {"height is 99999"});
+}
+
+TEST(InputLights, CanBeAdded) {
+  const OracleProcess oracle;
+  write(oracle.folder() / "dark room.obj", square);
+  const Outcome outcome =
+      oracle.run({"check", "dark room.obj", "--lights", "5", "--size", "8x6", "--pairs", "100"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(oracle.run({"info", "dark room.obj"}).exit_code, 0);
+  EXPECT_EQ(oracle.run({"check", "--lights", "100000001"}).exit_code, 3);
+}
+
+// Below a regular file there can be no folder, not even for root.
+TEST(OutputFolderOption, IsRefusedWhereItCannotBeWritten) {
+  const OracleProcess oracle;
+  write(oracle.folder() / "file", "mine");
+  for (const char* command : {"render", "report"}) {
+    expect_refusal(oracle.run({command, "desk", "--size", "4x3", "--out", "file/out"}), {"file"});
+    expect_refusal(oracle.run({command, "desk", "--size", "4x3", "--out", "file"}), {"file"});
+  }
+  EXPECT_EQ(content_of(oracle.folder() / "file"), "mine");
+  EXPECT_EQ(oracle.files().size(), 1U);
+}
+
+// Found out before the long job, and before the results replace older ones.
+TEST(JsonOption, IsRefusedWhereItCannotBeWritten) {
+  const OracleProcess oracle;
+  create_directory(oracle.folder() / "folder");
+  for (const char* file : {"folder", "nowhere/x.json", "x.json/"})
+    for (const char* command : {"render", "report", "check", "mutants", "info"})
+      expect_refusal(oracle.run({command, "desk", "--json", file}), {file});
+  EXPECT_EQ(oracle.run({"scenes", "--json", "nowhere/x.json"}).exit_code, 3);
+  EXPECT_EQ(oracle.files().size(), 1U);
+}
+
+} // namespace
+} // namespace lightcuts

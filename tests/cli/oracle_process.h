@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include "../render/temporary_folder.h"
+
+extern char** environ;
+
+namespace lightcuts {
+
+/// What a run of lightcuts-oracle left.
+struct Outcome {
+  int exit_code = -1; ///< -1: ended by a signal
+  std::string out, err;
+};
+
+/// Runs lightcuts-oracle with the arguments in a folder of its own that lives as long as the test.
+class OracleProcess {
+public:
+  OracleProcess() { std::filesystem::create_directory(folder()); }
+
+  /// Where the program runs, and relative names lead.
+  [[nodiscard]] std::filesystem::path folder() const { return temporary_.path / "here"; }
+
+  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const {
+    const auto out = temporary_.path / "stdout", err = temporary_.path / "stderr";
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addchdir_np(&actions, folder().c_str());
+    constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
+    posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), flags, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), flags, 0600);
+    std::vector<std::string> copies{LIGHTCUTS_ORACLE};
+    copies.insert(copies.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& a : copies) argv.push_back(a.data());
+    argv.push_back(nullptr);
+    pid_t child = 0;
+    const int failed = posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failed != 0) return {};
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+  }
+
+  /// Names of all that is in the folder, however deep.
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> list;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder()))
+      list.push_back(std::filesystem::relative(entry.path(), folder()).string());
+    return list;
+  }
+
+private:
+  TemporaryFolder temporary_;
+};
+
+} // namespace lightcuts
