@@ -70,7 +70,7 @@ std::string json_of(const CheckOptions& options, const CheckResult& result, cons
   }
   json["violations"] = result.tally.violations();
   json["seconds"] = result.seconds;
-  return json.dump(2) + "\n";
+  return text_of(json);
 }
 
 int run(const CheckOptions& options) {

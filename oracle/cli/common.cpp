@@ -46,6 +46,22 @@ void require_writable(const std::filesystem::path& file) {
     throw InputError(file.string() + ": cannot be written");
 }
 
+Scene opened(const CommonOptions& options) {
+  if (!options.json.empty() && options.json != "-") require_writable(options.json);
+  Scene scene = open_scene(options.scene);
+  if (!options.size.empty()) scene.image_size = *parse_size(options.size);
+  if (options.lights > 0) {
+    scene.lights = LightSet();
+    generate(default_cloud(scene.mesh, options.lights, options.seed), scene.lights);
+  }
+  validate(scene);
+  return scene;
+}
+
+void print_notes(const Scene& scene) {
+  for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.name, note);
+}
+
 } // namespace
 
 std::string check_positive(const std::string& text) {
@@ -116,22 +132,16 @@ void add_out_option(CLI::App& command, CommonOptions& options) {
 }
 
 Scene open_scene_for(const CommonOptions& options) {
-  if (!options.json.empty() && options.json != "-") require_writable(options.json);
-  Scene scene = open_scene(options.scene);
-  if (!options.size.empty()) scene.image_size = *parse_size(options.size);
-  if (options.lights > 0) {
-    scene.lights = LightSet();
-    generate(default_cloud(scene.mesh, options.lights, options.seed), scene.lights);
-  }
-  validate(scene);
-  for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.name, note);
+  Scene scene = opened(options);
+  print_notes(scene);
   return scene;
 }
 
 Scene open_lit_scene_for(const CommonOptions& options) {
-  Scene scene = open_scene_for(options);
+  Scene scene = opened(options);
   if (scene.lights.empty())
     throw InputError(options.scene + ": no lights; add some with --lights 1000");
+  print_notes(scene);
   return scene;
 }
 
@@ -143,6 +153,10 @@ std::filesystem::path output_folder_for(const CommonOptions& options) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.')
       c = '-';
   return std::filesystem::path("out") / name;
+}
+
+std::string text_of(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 void print_results(const CommonOptions& options, const std::string& table,

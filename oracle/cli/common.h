@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <glm/vec2.hpp>
 #include <lightcuts/render/scene.h>
+#include <nlohmann/json.hpp>
 
 namespace lightcuts::cli {
 
@@ -42,8 +43,8 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 /// A CLI11 check: what is wrong with the text as a number above 0, or nothing.
 [[nodiscard]] std::string check_positive(const std::string& text);
 
-/// Opens options.scene and applies --size and --lights. Throws InputError, also where --json cannot be
-/// written; says on stderr what the reader of the scene noted.
+/// Opens options.scene and applies --size and --lights. Throws InputError, also where --json cannot
+/// be written; says on stderr what the reader of the scene noted.
 [[nodiscard]] Scene open_scene_for(const CommonOptions& options);
 
 /// The same for commands that cannot do without light: throws InputError where there is none.
@@ -51,6 +52,9 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 
 /// --out, or out/NAME after the scene.
 [[nodiscard]] std::filesystem::path output_folder_for(const CommonOptions& options);
+
+/// The JSON indented, as UTF-8: bytes of file names that are not become U+FFFD.
+[[nodiscard]] std::string text_of(const nlohmann::ordered_json& json);
 
 /// Prints the table on stdout and writes the JSON to --json, or only the JSON if that is stdout.
 void print_results(const CommonOptions& options, const std::string& table, const std::string& json);

@@ -70,7 +70,7 @@ std::string json_of(const Scene& scene, const Facts& facts) {
                                     {"needed", facts.needed},
                                     {"left_out", facts.left_out},
                                     {"notes", scene.notes}};
-  return json.dump(2) + "\n";
+  return text_of(json);
 }
 
 int run(const CommonOptions& options) {

@@ -2,6 +2,7 @@
 // lightcuts-oracle: checks, measures and renders many-light scenes.
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,12 +30,20 @@ int run(int argc, char** argv) {
   cli::add_mutants_command(app, chosen);
   cli::add_info_command(app, chosen);
   cli::add_scenes_command(app, chosen);
+  // CLI11 says only that a command is missing.
+  const auto is_named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
+  if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_named).empty()) {
+    fmt::print(stderr, "unknown command '{}'\nRun with --help for more information.\n", argv[1]);
+    return cli::usage;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? cli::all_holds : cli::usage;
   }
-  return chosen();
+  const int result = chosen();
+  if (std::fflush(stdout) != 0) throw InputError("stdout: cannot be written");
+  return result;
 }
 
 } // namespace
@@ -45,6 +54,9 @@ int main(int argc, char** argv) {
   } catch (const lightcuts::InputError& e) {
     fmt::print(stderr, "lightcuts-oracle: {}\n", e.what());
     return cli::bad_input;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "lightcuts-oracle: out of memory\n");
+    return cli::internal_error;
   } catch (const std::exception& e) {
     fmt::print(stderr, "lightcuts-oracle: internal error: {}\n", e.what());
     return cli::internal_error;

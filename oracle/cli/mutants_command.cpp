@@ -62,7 +62,7 @@ std::string json_of(const std::vector<Verdict>& verdicts, std::size_t caught) {
   }
   json["caught"] = caught;
   json["total"] = verdicts.size();
-  return json.dump(2) + "\n";
+  return text_of(json);
 }
 
 int run(const MutantsOptions& options) {

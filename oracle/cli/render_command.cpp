@@ -65,7 +65,7 @@ int run(const RenderOptions& options) {
       scene.name, options.method, rendering.seconds, cut_size, scene.lights.size(), rays,
       needs.tree || config.method == Method::reference ? "" : " (no light tree: it would not pay)",
       out.string());
-  print_results(options, table, json.dump(2) + "\n");
+  print_results(options, table, text_of(json));
   return all_holds;
 }
 

@@ -29,7 +29,13 @@ public:
   [[nodiscard]] std::filesystem::path folder() const { return temporary_.path / "here"; }
 
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const {
-    const auto out = temporary_.path / "stdout", err = temporary_.path / "stderr";
+    return run(arguments, temporary_.path / "stdout");
+  }
+
+  /// With stdout led to a file of one's own.
+  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments,
+                            const std::filesystem::path& out) const {
+    const auto err = temporary_.path / "stderr";
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addchdir_np(&actions, folder().c_str());
@@ -47,7 +53,8 @@ public:
     if (failed != 0) return {};
     int status = 0;
     waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            is_regular_file(out) ? content_of(out) : "", content_of(err)};
   }
 
   /// Names of all that is in the folder, however deep.

@@ -70,6 +70,13 @@ TEST(Truth, IsAccurateWhereTheDotProductCancelsAltogether) {
   expect_agreement({{0.8F, 0.6F, 1}, glm::vec3(1)}, point);
 }
 
+// 2^80 and 2^10 cancel, and leave 2^-70: more than a sum of twice the precision can say.
+TEST(Truth, IsAccurateWhereEvenTheCompensatedSumCancels) {
+  const glm::vec3 diagonal(std::sqrt(1 / 3.0F));
+  const ShadingPoint point({-0x1p10F, 0x1p10F, 0}, diagonal, diagonal, {glm::vec3(1)});
+  expect_agreement({{0x1p80F, 0x1p-70F, -0x1p80F}, glm::vec3(1)}, point);
+}
+
 TEST(Truth, IsAccurateAtTheLargestExponent) {
   const Material mirror{glm::vec3(0), glm::vec3(1), Material::max_exponent};
   const ShadingPoint point(glm::vec3(0), {0, 0, 1}, {0, 0, 1}, mirror);

@@ -9,11 +9,12 @@
 namespace lightcuts {
 namespace {
 
-// Nanoseconds on one core of a 2020s x86-64 server, measured by `lightcuts-oracle report` on the
-// built-in scenes; only their ratios matter, and those are much the same elsewhere.
-constexpr double cost_of_light = 12;    // transfer() and a product
-constexpr double cost_of_cluster = 280; // two bounds, the heap, and a light
-constexpr double cost_of_ray = 170;
+// Nanoseconds on one core of a 2020s x86-64 server, from renders of `cloud` and `bedroom`; only
+// their ratios matter, and those are much the same elsewhere.
+constexpr double cost_of_light = 12;            // transfer() and a product
+constexpr double cost_of_diffuse_cluster = 330; // two bounds, the heap, and a light
+constexpr double cost_of_glossy_cluster = 500;
+constexpr double cost_of_ray = 190;
 
 bool any_specular(const Scene& scene) {
   return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
@@ -38,6 +39,8 @@ struct Pilot {
 
 Pilot run_pilot(const SceneView& view, const LightTree& tree, const CutConfig& config,
                 const std::vector<VisiblePoint>& points) {
+  const double cost_of_cluster =
+      any_specular(view.scene()) ? cost_of_glossy_cluster : cost_of_diffuse_cluster;
   CutSelector select(tree, config);
   Pilot pilot;
   for (const VisiblePoint& p : points) {
