@@ -51,15 +51,16 @@ int run(const RenderOptions& options) {
 
   const double cut_size = mean(rendering.cut_size, rendering.surface_pixels);
   const double rays = mean(rendering.shadow_rays, rendering.surface_pixels);
-  const nlohmann::ordered_json json{{"schema", "lightcuts-oracle/render/1"},
-                                    {"scene", options.scene},
-                                    {"method", options.method},
-                                    {"threshold", std::stod(fmt::format("{}", config.cut.threshold))},
-                                    {"seconds", rendering.seconds},
-                                    {"mean_cut_size", cut_size},
-                                    {"shadow_rays_per_pixel", rays},
-                                    {"light_tree", needs.tree},
-                                    {"folder", out.string()}};
+  const nlohmann::ordered_json json{
+      {"schema", "lightcuts-oracle/render/1"},
+      {"scene", options.scene},
+      {"method", options.method},
+      {"threshold", std::stod(fmt::format("{}", config.cut.threshold))},
+      {"seconds", rendering.seconds},
+      {"mean_cut_size", cut_size},
+      {"shadow_rays_per_pixel", rays},
+      {"light_tree", needs.tree},
+      {"folder", out.string()}};
   const std::string table = fmt::format(
       "{}, {}: {:.2f} s, {:.1f} of {} lights and {:.1f} shadow rays per pixel{}\nwritten to {}\n",
       scene.name, options.method, rendering.seconds, cut_size, scene.lights.size(), rays,
@@ -79,8 +80,8 @@ void add_render_command(CLI::App& app, Action& chosen) {
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
   add_out_option(*command, *options);
-  command->add_option("--method", options->method, "reference or lightcuts")
-      ->check(CLI::IsMember({"reference", "lightcuts"}))
+  command->add_option("--method", options->method, "reference, paper or lightcuts")
+      ->check(CLI::IsMember({"reference", "paper", "lightcuts"}))
       ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -5,19 +5,16 @@
 #include <cmath>
 #include <vector>
 
-#include <lightcuts/contribution.h>
-
 namespace lightcuts::oracle {
 
-std::size_t clairvoyant_cut_size(const LightTree& tree, const ShadingPoint& point,
+std::size_t clairvoyant_cut_size(const Subject& subject, const ShadingPoint& point,
                                  std::span<const char> visible, const Truth& truth,
                                  double threshold, double black_level) {
+  const LightTree& tree = subject.tree();
   const auto qualifies = [&](std::uint32_t i) {
     const TreeNode& node = tree.node(i);
     if (node.is_leaf()) return true;
-    glm::dvec3 estimate(0);
-    if (visible[node.representative] != 0)
-      estimate = transfer(point, tree.lights()[node.representative].position) * node.intensity;
+    const glm::dvec3 estimate = seen_estimate(subject, i, point, subject.bound(i, point), visible);
     for (int c = 0; c < 3; ++c) {
       const long double allowed = std::max<long double>(threshold * truth.seen(0)[c], black_level);
       if (std::abs(estimate[c] - truth.seen(i)[c]) > allowed) return false;

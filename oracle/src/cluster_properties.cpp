@@ -76,6 +76,24 @@ void check_error(const PointCase& at, std::uint32_t node, const TreeNode& cluste
   });
 }
 
+/// Lower bound <= truth <= upper bound, if nothing is occluded.
+void check_order(const PointCase& at, std::uint32_t node, const TreeNode& cluster,
+                 const glm::vec3& bound, Tally& tally) {
+  Worst worst;
+  const glm::vec3 low = contribution_lower_bound(cluster, at.point);
+  for (int c = 0; c < 3; ++c) {
+    const long double truth = at.truth.open(node)[c];
+    const long double margin = truth * truth_error;
+    bool holds = low[c] <= bound[c] && low[c] <= truth + margin;
+    if (holds && low[c] > truth - margin) holds = Exact(low[c]) <= at.truth.exact_open(node, c);
+    worst.add(c, holds, low[c], static_cast<float>(truth));
+  }
+  tally.record(Property::bounds_are_ordered, worst.holds, at.place, worst.ratio, [&] {
+    return describe(at, node, cluster, worst.channel, "lower bound", worst.value,
+                    "true contribution", static_cast<double>(at.truth.open(node)[worst.channel]));
+  });
+}
+
 void check_shrinking(const Subject& subject, const PointCase& at, std::uint32_t node,
                      const TreeNode& cluster, const glm::vec3& bound, Tally& tally) {
   Worst worst;
@@ -125,13 +143,10 @@ void check_clusters(const Subject& subject, const PointCase& at, Tally& tally) {
   for (std::uint32_t i = 0; i < tree.nodes().size(); ++i) {
     const TreeNode& cluster = tree.node(i);
     const glm::vec3 bound = subject.bound(i, at.point);
-    const std::uint32_t light = cluster.representative;
-    const glm::dvec3 estimate =
-        at.visible[light] != 0
-            ? transfer(at.point, tree.lights()[light].position) * cluster.intensity
-            : glm::dvec3(0);
+    const glm::dvec3 estimate = seen_estimate(subject, i, at.point, bound, at.visible);
     check_contribution(at, i, cluster, bound, tally);
     check_error(at, i, cluster, estimate, bound, tally);
+    check_order(at, i, cluster, bound, tally);
     check_finite(at, i, cluster, bound, tally);
     if (!cluster.is_leaf()) check_shrinking(subject, at, i, cluster, bound, tally);
   }

@@ -46,10 +46,10 @@ void check_partition(const LightTree& tree, const Cut& cut, const PointCase& at,
                });
 }
 
-Wide sum_of_estimates(const LightTree& tree, const Cut& cut) {
+Wide sum_of_estimates(const Cut& cut) {
   Wide sum{};
   for (const CutCluster& c : cut.clusters)
-    for (int i = 0; i < 3; ++i) sum[i] += c.estimate(tree)[i];
+    for (int i = 0; i < 3; ++i) sum[i] += c.estimate[i];
   return sum;
 }
 
@@ -156,7 +156,7 @@ glm::vec3 rounding_only(const PointCase& at) {
 void check_cut(const Subject& subject, const CutConfig& config, const Cut& cut, const PointCase& at,
                Tally& tally) {
   const LightTree& tree = subject.tree();
-  const Wide total = sum_of_estimates(tree, cut);
+  const Wide total = sum_of_estimates(cut);
   check_partition(tree, cut, at, tally);
   check_threshold(subject, config, cut, total, at, tally);
   check_drift(cut, total, at, tally);

@@ -12,6 +12,7 @@
 #include <lightcuts/input_error.h>
 #include <lightcuts/oracle/clairvoyant.h>
 #include <lightcuts/oracle/image_error.h>
+#include <lightcuts/oracle/mutants.h>
 #include <lightcuts/oracle/random_pixels.h>
 #include <lightcuts/tree_builder.h>
 
@@ -37,17 +38,16 @@ std::vector<Row> rows_to_run(const SceneView& view, const LightTree& tree,
   // The reference comes first: everything is compared with it, asked for or not.
   const CutConfig exact{0, config.max_cut, black_level};
   rows.push_back({{.method = Method::reference, .cut = exact, .threads = config.threads}, {}, {}});
-  if (std::find(config.methods.begin(), config.methods.end(), Method::lightcuts) ==
-      config.methods.end())
-    return rows;
-  for (const float threshold : config.thresholds) {
-    const CutConfig cut{threshold, config.max_cut, black_level};
-    const bool use_tree = find_needs(view, tree, cut).tree;
-    rows.push_back(
-        {{.method = Method::lightcuts, .cut = cut, .use_tree = use_tree, .threads = config.threads},
-         {},
-         {}});
-  }
+  for (const Method method : config.methods)
+    for (const float threshold : config.thresholds) {
+      if (method == Method::reference) break;
+      const CutConfig cut{threshold, config.max_cut, black_level};
+      const bool use_tree = method == Method::paper || find_needs(view, tree, cut).tree;
+      rows.push_back(
+          {{.method = method, .cut = cut, .use_tree = use_tree, .threads = config.threads},
+           {},
+           {}});
+    }
   return rows;
 }
 
@@ -87,11 +87,12 @@ struct SampledSizes {
   double clairvoyant = 0, actual = 0;
 };
 
-SampledSizes sample_sizes(const SceneView& view, const LightTree& tree, const CutConfig& cut,
+SampledSizes sample_sizes(const SceneView& view, const Subject& subject, const CutConfig& cut,
                           std::uint64_t seed) {
+  const LightTree& tree = subject.tree();
   const std::size_t lights = tree.lights().size();
   const std::size_t points = std::clamp<std::size_t>(2'000'000 / lights, 16, 256);
-  CutSelector select(tree, cut);
+  const auto selector = subject.selector(cut);
   Truth truth;
   std::vector<char> visible(lights);
   SampledSizes sizes;
@@ -99,10 +100,10 @@ SampledSizes sample_sizes(const SceneView& view, const LightTree& tree, const Cu
     const VisiblePoint p = random_point(view, seed, i);
     for (std::uint32_t j = 0; j < lights; ++j) visible[j] = view.sees(p, j) ? 1 : 0;
     truth.evaluate(tree, p.point, visible);
-    sizes.clairvoyant +=
-        double(clairvoyant_cut_size(tree, p.point, visible, truth, cut.threshold, cut.black_level));
-    sizes.actual +=
-        double(select(p.point, [&](std::uint32_t j) { return visible[j] != 0; }).clusters.size());
+    sizes.clairvoyant += double(
+        clairvoyant_cut_size(subject, p.point, visible, truth, cut.threshold, cut.black_level));
+    const auto seen = [&](std::uint32_t j) { return visible[j] != 0; };
+    sizes.actual += double(selector->select(p.point, seen).clusters.size());
   }
   return {sizes.clairvoyant / double(points), sizes.actual / double(points)};
 }
@@ -194,8 +195,10 @@ Measurement measure(const SceneView& view, const MeasureConfig& config) {
 
   for (const Row& row : rows) {
     Run run = summary(row, rows.front(), build_seconds);
-    if (row.config.method == Method::lightcuts) {
-      const SampledSizes sizes = sample_sizes(view, tree, row.config.cut, config.seed);
+    if (row.config.method != Method::reference) {
+      const auto subject =
+          row.config.method == Method::paper ? paper_subject(tree) : library_subject(tree);
+      const SampledSizes sizes = sample_sizes(view, *subject, row.config.cut, config.seed);
       run.optimal_cut_size = sizes.clairvoyant;
       run.cut_efficiency = sizes.clairvoyant / sizes.actual;
     } else if (std::find(config.methods.begin(), config.methods.end(), Method::reference) ==

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/oracle/mutants.h>
 
+#include <lightcuts/paper_rules.h>
+
 namespace lightcuts::oracle {
 namespace {
 
@@ -41,6 +43,10 @@ std::span<const Mutant> mutants() { return catalogue; }
 
 std::unique_ptr<Subject> library_subject(const LightTree& tree) {
   return make<LightcutsRules>("lightcuts", tree);
+}
+
+std::unique_ptr<Subject> paper_subject(const LightTree& tree) {
+  return make<PaperRules>("paper", tree);
 }
 
 } // namespace lightcuts::oracle

@@ -157,5 +157,41 @@ TEST(MaxCosineOverDistance2, IsFiniteForAFarLightBarelyAboveTheHorizon) {
   EXPECT_LT(value, 1e-200);
 }
 
+RC_GTEST_PROP(MinCosineOverDistance2, IsBelowEverySampleOfTheBoxAndEqualsOne, ()) {
+  const BoxView v = *gen::box_view();
+  const double least = min_cosine_over_distance2(v.n, v.x, v.box);
+  RC_ASSERT(least >= 0);
+  bool reached = false;
+  bool behind = false;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 y((corner & 1) != 0 ? v.box.hi.x : v.box.lo.x,
+                      (corner & 2) != 0 ? v.box.hi.y : v.box.lo.y,
+                      (corner & 4) != 0 ? v.box.hi.z : v.box.lo.z);
+    const Exact n_dot_q = precise::dot(v.n, v.x, y);
+    behind = behind || n_dot_q <= 0;
+    if (n_dot_q <= 0) continue;
+    const Exact length2 = precise::distance2(v.x, y);
+    const Exact value = n_dot_q / (length2 * sqrt(length2));
+    RC_ASSERT(Exact(least) <= value * (1 + Exact(box_bound_error)));
+    reached = reached || Exact(least) >= value * (1 - Exact(box_bound_error));
+  }
+  const bool right = behind ? least == 0 : reached;
+  RC_ASSERT(right);
+}
+
+// Corners are enough: what is said of them holds for the points between.
+RC_GTEST_PROP(MinCosineOverDistance2, IsBelowThePointsInside, ()) {
+  const BoxView v = *gen::box_view();
+  const double least = min_cosine_over_distance2(v.n, v.x, v.box);
+  const Point n{Exact(v.n.x), Exact(v.n.y), Exact(v.n.z)};
+  for (const Point& q : grid(precise::ExactBox(v.x, v.box))) {
+    const Exact n_dot_q = n[0] * q[0] + n[1] * q[1] + n[2] * q[2];
+    const Exact length2 = q[0] * q[0] + q[1] * q[1] + q[2] * q[2];
+    if (n_dot_q <= 0) RC_ASSERT(least == 0);
+    if (n_dot_q > 0)
+      RC_ASSERT(Exact(least) * (1 - Exact(box_bound_error)) * length2 * sqrt(length2) <= n_dot_q);
+  }
+}
+
 } // namespace
 } // namespace lightcuts

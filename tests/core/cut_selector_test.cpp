@@ -106,7 +106,7 @@ bool same(const Cut& a, const Cut& b) {
   return a.radiance == b.radiance && a.certified_error == b.certified_error && a.end == b.end &&
          std::equal(a.clusters.begin(), a.clusters.end(), b.clusters.begin(), b.clusters.end(),
                     [](const CutCluster& x, const CutCluster& y) {
-                      return x.node == y.node && x.transfer == y.transfer && x.bound == y.bound;
+                      return x.node == y.node && x.estimate == y.estimate && x.bound == y.bound;
                     });
 }
 
@@ -221,6 +221,24 @@ TEST(CutConfig, NamesTheFieldItRefuses) {
   EXPECT_NE(refusal({.threshold = nan}).find("threshold"), std::string::npos);
   EXPECT_NE(refusal({.black_level = nan}).find("black_level"), std::string::npos);
   EXPECT_NE(refusal({.max_size = 0}).find("max_size"), std::string::npos);
+}
+
+RC_GTEST_PROP(CutSelector, CertifiesLessAndCastsNoRayWhereNothingOccludes, ()) {
+  const gen::Scene scene = *gen::scene();
+  const LightTree tree = build(scene.light_set());
+  const ShadingPoint point = scene.view.point();
+  const auto never_asked = [](std::uint32_t) -> bool { throw std::logic_error("asked"); };
+  const auto all_seen = [](std::uint32_t) { return true; };
+  CutConfig config{0.3F, 5};
+  CutSelector select(tree, config);
+  const Cut asking = select(point, all_seen);
+  config.unoccluded = true;
+  CutSelector select_unoccluded(tree, config);
+  const Cut cut = select_unoccluded(point, never_asked);
+  RC_ASSERT(cut.radiance == asking.radiance);
+  RC_ASSERT(cut.shadow_rays == 0U);
+  RC_ASSERT(promises::certified(cut, precise::sum(tree.lights(), point, all_seen)));
+  for (int c = 0; c < 3; ++c) RC_ASSERT(cut.certified_error[c] <= asking.certified_error[c]);
 }
 
 } // namespace

@@ -154,5 +154,39 @@ TEST(ContributionBound, HoldsAtTheEndsOfTheRange) {
   EXPECT_EQ(contribution_bound({{near, near}, glm::dvec3(largest)}, bright).x, 0x1p-149F);
 }
 
+RC_GTEST_PROP(ContributionLowerBound, IsBelowTheTrueContribution, ()) {
+  const gen::Scene scene = *gen::scene();
+  const LightTree tree = build(scene.light_set());
+  const ShadingPoint point = scene.view.point();
+  const std::vector<Colour> truth = precise::contributions(tree, point);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const glm::vec3 low = contribution_lower_bound(tree.nodes()[i], point);
+    for (int c = 0; c < 3; ++c) RC_ASSERT(low[c] >= 0 && Quad(low[c]) <= truth[i][c]);
+  }
+}
+
+TEST(ContributionLowerBound, OfADiffuseLeafIsItsContributionRoundedDown) {
+  const ShadingPoint point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {glm::vec3(1)});
+  const TreeNode leaf{{{0, 0, 2}, {0, 0, 2}}, {1, 0, 4}};
+  const glm::vec3 low = contribution_lower_bound(leaf, point);
+  EXPECT_LE(low.x, std::numbers::inv_pi / 4);
+  EXPECT_GE(low.x, std::numbers::inv_pi / 4 * (1 - bound_excess));
+  EXPECT_EQ(low.y, 0);
+}
+
+RC_GTEST_PROP(ProductBound, IsNotBelowTheJointOneButForRounding, ()) {
+  const gen::Scene scene = *gen::scene();
+  const LightTree tree = build(scene.light_set());
+  const ShadingPoint point = scene.view.point();
+  for (const TreeNode& node : tree.nodes()) {
+    const glm::vec3 joint = contribution_bound(node, point);
+    const glm::vec3 product = product_bound(node, point);
+    for (int c = 0; c < 3; ++c) {
+      RC_ASSERT(!std::isnan(product[c]));
+      RC_ASSERT(double(product[c]) * (1 + bound_excess) + least >= double(joint[c]));
+    }
+  }
+}
+
 } // namespace
 } // namespace lightcuts

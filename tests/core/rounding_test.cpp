@@ -104,5 +104,15 @@ TEST(Power, KnowsItsSpecialCases) {
   EXPECT_EQ(power(2, 10), 1024);
 }
 
+TEST(RoundDown, IsTheLargestFiniteFloatNotAbove) {
+  for (const double v : {0.0, 1e-60, 0x1p-149, 1.0, 1 + 0x1p-30, 2 - 0x1p-30, 3e38, 1e40}) {
+    const float down = round_down(v);
+    EXPECT_LE(double(down), v);
+    EXPECT_TRUE(std::isfinite(down));
+    const float next = std::nextafter(down, std::numeric_limits<float>::infinity());
+    EXPECT_GT(double(next), v);
+  }
+}
+
 } // namespace
 } // namespace lightcuts

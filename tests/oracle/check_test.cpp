@@ -76,6 +76,41 @@ TEST(Check, VisitsAtLeastSoManyPairs) {
   }
 }
 
+TEST(Check, JudgesTwoCutsAtEachPointAndAnExactOneAtEveryEighth) {
+  const CheckResult result = check_library(floor_scene(10), config_of(19 * 17));
+  EXPECT_EQ(result.points, 17U);
+  EXPECT_EQ(result.tally[Property::cut_partitions_lights].cases, 2U * 17 + 3);
+  EXPECT_EQ(result.tally[Property::zero_threshold_is_exact].cases, 3U);
+}
+
+/// The library, but takes every light for seen.
+class BlindSubject : public RulesSubject<LightcutsRules> {
+public:
+  using RulesSubject<LightcutsRules>::RulesSubject;
+  [[nodiscard]] std::unique_ptr<Selector> selector(const CutConfig& config) const override {
+    return std::make_unique<BlindSelector>(RulesSubject<LightcutsRules>::selector(config));
+  }
+
+private:
+  struct BlindSelector : Selector {
+    explicit BlindSelector(std::unique_ptr<Selector> of) : library(std::move(of)) {}
+    Cut select(const ShadingPoint& point, const std::function<bool(std::uint32_t)>&) override {
+      return library->select(point, [](std::uint32_t) { return true; });
+    }
+    std::unique_ptr<Selector> library;
+  };
+};
+
+TEST(Check, ConvictsASubjectThatIgnoresOcclusion) {
+  for (const bool shaded : {false, true}) {
+    const Scene scene = shaded ? shaded_floor_scene(30) : floor_scene(30);
+    const SceneView view(scene);
+    const LightTree tree = build(scene.lights);
+    const Tally tally = check(view, BlindSubject("blind", tree), config_of(6'000)).tally;
+    EXPECT_EQ(tally[Property::zero_threshold_is_exact].violations > 0, shaded);
+  }
+}
+
 TEST(Check, ComparesTheRaysItCounts) {
   const CheckResult result = check_library(shaded_floor_scene(20), config_of(4'000));
   EXPECT_GE(result.rays, 1000U);

@@ -10,6 +10,7 @@
 #include "../support/generators.h"
 #include "judged_point.h"
 #include <lightcuts/contribution.h>
+#include <lightcuts/oracle/mutants.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -49,8 +50,8 @@ std::vector<std::size_t> sizes_of_good_cuts(const JudgedPoint& judged, std::uint
 }
 
 std::size_t found(const JudgedPoint& judged, const Limits& limits) {
-  return clairvoyant_cut_size(judged.tree, judged.point, judged.visible, judged.truth,
-                              limits.threshold, limits.black_level);
+  return clairvoyant_cut_size(*paper_subject(judged.tree), judged.point, judged.visible,
+                              judged.truth, limits.threshold, limits.black_level);
 }
 
 RC_GTEST_PROP(ClairvoyantCut, IsTheSmallestOfAllGoodCuts, ()) {

@@ -9,6 +9,7 @@
 
 #include "../support/generators.h"
 #include "judged_point.h"
+#include <lightcuts/paper_rules.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -20,6 +21,7 @@ using testing::IsEmpty;
 constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr auto contribution_property = Property::bound_dominates_contribution;
 constexpr auto error_property = Property::bound_dominates_error;
+constexpr auto ordered = Property::bounds_are_ordered;
 constexpr auto shrinks = Property::bound_shrinks_on_refinement;
 constexpr auto finite = Property::results_are_finite;
 
@@ -87,6 +89,16 @@ TEST(ClusterProperties, ConvictABoundThatIsOneUlpTooLow) {
 }
 
 // 10 times the near light's transfer, of which only the near light itself is there.
+/// Estimates by the representative instead of the centroid.
+class ByRepresentative : public BentSubject {
+public:
+  using BentSubject::BentSubject;
+  [[nodiscard]] glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
+                                    const glm::vec3& bound) const override {
+    return PaperRules::estimate(tree(), node, point, bound);
+  }
+};
+
 TEST(ClusterProperties, ConvictABoundOfTheTruthButNotOfTheError) {
   LightSet lights;
   lights.add_omni({0, 0, 1}, glm::vec3(1));
@@ -95,7 +107,7 @@ TEST(ClusterProperties, ConvictABoundOfTheTruthButNotOfTheError) {
   std::vector<TreeNode> nodes(built.nodes().begin(), built.nodes().end());
   nodes[0].representative = 0;
   const JudgedPoint judged(LightTree(lights, nodes), diffuse_point(), {1, 0});
-  const BentSubject tight(judged.tree, [&](std::uint32_t node, glm::vec3) {
+  const ByRepresentative tight(judged.tree, [&](std::uint32_t node, glm::vec3) {
     return rounded_up(judged.truth.open(node));
   });
   EXPECT_THAT(violated(judge(tight, judged)), ElementsAre(error_property));
@@ -130,7 +142,14 @@ TEST(ClusterProperties, ConvictABoundThatIsNotANumber) {
                 if (node == 0) bound.y = std::nanf("");
                 return bound;
               }),
-              ElementsAre(contribution_property, error_property, shrinks, finite));
+              ElementsAre(contribution_property, error_property, ordered, shrinks, finite));
+}
+
+TEST(ClusterProperties, ConvictABoundBelowTheLowerOne) {
+  EXPECT_THAT(violated_by([](std::uint32_t node, glm::vec3 bound) {
+                return node == 0 ? 0.01F * bound : bound;
+              }),
+              Contains(ordered));
 }
 
 TEST(ClusterProperties, ConvictANegativeBound) {

@@ -50,7 +50,7 @@ struct CutToSpoil {
   void sum_anew() {
     glm::dvec3 total(0), bounds(0);
     for (const CutCluster& c : clusters) {
-      total += c.estimate(judged.tree);
+      total += c.estimate;
       bounds += glm::dvec3(c.bound);
     }
     for (int c = 0; c < 3; ++c) {
@@ -115,7 +115,7 @@ TEST(CutProperties, ConvictADoubledCluster) {
 TEST(CutProperties, ConvictAClusterInsideAnother) {
   CutToSpoil spoilt({0, 1});
   ASSERT_EQ(spoilt.clusters.size(), 1U);
-  spoilt.clusters.push_back({1, glm::dvec3(0), glm::vec3(0)});
+  spoilt.clusters.push_back({1, true, glm::dvec3(0), glm::vec3(0)});
   spoilt.config.max_size = 2;
   EXPECT_THAT(spoilt.violated(), ElementsAre(partitions));
 }
@@ -171,6 +171,13 @@ TEST(CutProperties, ConvictACutLargerThanTheLargestSize) {
 }
 
 TEST(CutProperties, ConvictAFalseClaimOfTheLargestSize) {
+  CutToSpoil spoilt({1.0F, 1000});
+  ASSERT_EQ(spoilt.cut.end, CutEnd::converged);
+  spoilt.cut.end = CutEnd::max_size;
+  EXPECT_THAT(spoilt.violated(), ElementsAre(obeys));
+}
+
+TEST(CutProperties, ConvictACutThatEndedBeforeTheLargestSize) {
   CutToSpoil spoilt(two_clusters);
   ASSERT_EQ(spoilt.cut.end, CutEnd::max_size);
   spoilt.config.max_size = 3;
@@ -188,10 +195,9 @@ TEST(CutProperties, ConvictABoundOverTheThreshold) {
   ASSERT_EQ(spoilt.cut.end, CutEnd::converged);
   ASSERT_LT(spoilt.clusters.size(), 4U);
   EXPECT_THAT(spoilt.violated(), IsEmpty());
-  const LightTree& tree = spoilt.judged.tree;
   double worst = 0;
   for (const CutCluster& c : spoilt.clusters)
-    worst = std::max(worst, double(c.bound.x) / promises::total(tree, spoilt.cut).x);
+    worst = std::max(worst, double(c.bound.x) / promises::total(spoilt.cut).x);
   spoilt.config.threshold = std::nextafter(static_cast<float>(worst), 2.0F);
   EXPECT_THAT(spoilt.violated(), IsEmpty());
   spoilt.config.threshold = std::nextafter(spoilt.config.threshold, 0.0F);

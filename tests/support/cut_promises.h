@@ -62,15 +62,14 @@ inline bool partitions(const LightTree& tree, const Cut& cut) {
 }
 
 /// In real numbers but for the sum, which is that of Cut::radiance before rounding to float.
-inline glm::dvec3 total(const LightTree& tree, const Cut& cut) {
+inline glm::dvec3 total(const Cut& cut) {
   glm::dvec3 sum(0);
-  for (const CutCluster& c : cut.clusters) sum += c.estimate(tree);
+  for (const CutCluster& c : cut.clusters) sum += c.estimate;
   return sum;
 }
 
-inline bool obeys(const LightTree& tree, const Cut& cut, const CutConfig& config,
-                  double black_level) {
-  const glm::dvec3 sum = total(tree, cut);
+inline bool obeys(const Cut& cut, const CutConfig& config, double black_level) {
+  const glm::dvec3 sum = total(cut);
   for (const CutCluster& c : cut.clusters)
     for (int k = 0; k < 3; ++k)
       if (!(c.bound[k] <= std::max(config.threshold * sum[k], black_level))) return false;
@@ -110,10 +109,10 @@ std::string broken_promise(const CutCase& given) {
   if (cut.clusters.size() > given.config.max_size) return "max_size is respected";
   if (cut.end == CutEnd::max_size && cut.clusters.size() < given.config.max_size)
     return "stops at max_size only";
-  const bool relative = promises::obeys(tree, cut, given.config, 0);
+  const bool relative = promises::obeys(cut, given.config, 0);
   if (relative != (cut.end == CutEnd::converged)) return "converged is where all obey threshold";
   if (cut.end == CutEnd::black_level &&
-      !promises::obeys(tree, cut, given.config, given.config.black_level))
+      !promises::obeys(cut, given.config, given.config.black_level))
     return "black_level is obeyed";
   if (!promises::certified(cut, precise::sum(tree.lights(), point, given.visibility())))
     return "certified error holds";

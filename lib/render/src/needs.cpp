@@ -2,6 +2,7 @@
 #include <lightcuts/render/needs.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <lightcuts/sum_lights.h>
@@ -41,14 +42,17 @@ Pilot run_pilot(const SceneView& view, const LightTree& tree, const CutConfig& c
                 const std::vector<VisiblePoint>& points) {
   const double cost_of_cluster =
       any_specular(view.scene()) ? cost_of_glossy_cluster : cost_of_diffuse_cluster;
-  CutSelector select(tree, config);
+  CutConfig cut_config = config;
+  cut_config.unoccluded = !view.may_occlude();
+  CutSelector select(tree, cut_config);
   Pilot pilot;
   for (const VisiblePoint& p : points) {
     const Cut cut = select(p.point, [&](std::uint32_t light) { return view.sees(p, light); });
     pilot.clusters += double(cut.clusters.size());
     pilot.cost += cost_of_cluster * double(cut.clusters.size()) +
                   (view.may_occlude() ? cost_of_ray * cut.shadow_rays : 0);
-    pilot.radiance += (double(cut.radiance.x) + cut.radiance.y + cut.radiance.z) / 3;
+    const double radiance = (double(cut.radiance.x) + cut.radiance.y + cut.radiance.z) / 3;
+    if (std::isfinite(radiance)) pilot.radiance += radiance;
   }
   const double count = std::max(1.0, double(points.size()));
   return {pilot.clusters / count, pilot.cost / count, pilot.radiance / count};
@@ -78,7 +82,7 @@ Needs find_needs(const SceneView& view, const LightTree& tree, const CutConfig& 
   needs.pilot_cut_size = pilot.clusters;
   needs.pilot_cost_of_cuts = pilot.cost;
   needs.pilot_cost_of_sums = cost_of_sum(view, points);
-  needs.tree = pilot.cost < needs.pilot_cost_of_sums;
+  needs.tree = !points.empty() && pilot.cost < needs.pilot_cost_of_sums;
   return needs;
 }
 

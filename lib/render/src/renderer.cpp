@@ -10,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include <lightcuts/certified_error.h>
+#include <lightcuts/paper_rules.h>
 #include <lightcuts/sum_lights.h>
 
 namespace lightcuts {
@@ -37,11 +38,12 @@ Lit light_by_sum(const SceneView& view, const VisiblePoint& p) {
     lit.certified_error[c] = certified_error(sum.radiance[c], 0);
   }
   lit.cut_size = static_cast<float>(lights.size());
-  lit.shadow_rays = static_cast<float>(sum.shadow_rays);
+  lit.shadow_rays = view.may_occlude() ? static_cast<float>(sum.shadow_rays) : 0;
   return lit;
 }
 
-Lit light_by_cut(const SceneView& view, const VisiblePoint& p, CutSelector& select) {
+template <class Selector>
+Lit light_by_cut(const SceneView& view, const VisiblePoint& p, Selector& select) {
   const Cut cut = select(p.point, [&](std::uint32_t light) { return view.sees(p, light); });
   return {cut.radiance, cut.certified_error, static_cast<float>(cut.clusters.size()),
           static_cast<float>(cut.shadow_rays), cut.end};
@@ -66,39 +68,27 @@ void store(Rendering& r, std::size_t i, const Lit& lit, const glm::vec3& emissio
   r.end[i] = lit.end;
 }
 
-} // namespace
-
-const char* name_of(Method method) {
-  return method == Method::reference ? "reference" : "lightcuts";
-}
-
-std::optional<Method> method_named(std::string_view name) {
-  for (const Method m : {Method::reference, Method::lightcuts})
-    if (name == name_of(m)) return m;
-  return std::nullopt;
-}
-
-Rendering render(const SceneView& view, const LightTree& tree, const RenderConfig& config) {
+/// Renders with light(p, state) for each visible point, state being one per thread.
+template <class State, class Light>
+Rendering render_tiles(const SceneView& view, const RenderConfig& config, State&& make_state,
+                       const Light& light) {
   const glm::uvec2 size = view.size();
   Rendering result = blank(size);
   std::atomic<std::uint64_t> surface_pixels = 0;
   std::atomic<std::uint64_t> pixels_done = 0;
-  tbb::enumerable_thread_specific<CutSelector> selectors(
-      [&] { return CutSelector(tree, config.cut); });
-  const bool by_cut = config.method == Method::lightcuts && config.use_tree;
+  tbb::enumerable_thread_specific<decltype(make_state())> states(make_state);
 
   const auto light_tile = [&](const tbb::blocked_range2d<unsigned>& tile) {
-    CutSelector& select = selectors.local();
+    auto& state = states.local();
     std::uint64_t seen = 0;
     for (unsigned y = tile.rows().begin(); y < tile.rows().end(); ++y)
       for (unsigned x = tile.cols().begin(); x < tile.cols().end(); ++x) {
         const auto start = Clock::now();
         const std::size_t i = std::size_t(y) * size.x + x;
-        if (const auto p = view.at({x, y})) {
-          ++seen;
-          store(result, i, by_cut ? light_by_cut(view, *p, select) : light_by_sum(view, *p),
-                p->emission);
-        }
+        const auto p = view.at({x, y});
+        if (!p) continue;
+        ++seen;
+        store(result, i, light(*p, state), p->emission);
         result.microseconds[i] = static_cast<float>(1e6 * seconds_since(start));
       }
     surface_pixels += seen;
@@ -116,6 +106,44 @@ Rendering render(const SceneView& view, const LightTree& tree, const RenderConfi
   result.seconds = seconds_since(start);
   result.surface_pixels = surface_pixels;
   return result;
+}
+
+template <class Selector>
+Rendering render_by_cuts(const SceneView& view, const LightTree& tree, const RenderConfig& config) {
+  CutConfig cut = config.cut;
+  cut.unoccluded = !view.may_occlude();
+  return render_tiles(
+      view, config, [&] { return Selector(tree, cut); },
+      [&](const VisiblePoint& p, Selector& select) { return light_by_cut(view, p, select); });
+}
+
+} // namespace
+
+const char* name_of(Method method) {
+  switch (method) {
+  case Method::reference:
+    return "reference";
+  case Method::paper:
+    return "paper";
+  case Method::lightcuts:
+    return "lightcuts";
+  }
+  return "";
+}
+
+std::optional<Method> method_named(std::string_view name) {
+  for (const Method m : all_methods)
+    if (name == name_of(m)) return m;
+  return std::nullopt;
+}
+
+Rendering render(const SceneView& view, const LightTree& tree, const RenderConfig& config) {
+  if (config.method == Method::paper) return render_by_cuts<PaperCutSelector>(view, tree, config);
+  if (config.method == Method::lightcuts && config.use_tree)
+    return render_by_cuts<CutSelector>(view, tree, config);
+  return render_tiles(
+      view, config, [] { return 0; },
+      [&](const VisiblePoint& p, int /*no state*/) { return light_by_sum(view, p); });
 }
 
 } // namespace lightcuts

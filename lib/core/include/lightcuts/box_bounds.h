@@ -132,6 +132,24 @@ template <int K>
   return detail::sup_dot_over_power<3>(n, x, box);
 }
 
+/// min of max(0, n.q)/|q|^3 over the box, relative error box_bound_error: at a corner, because the
+/// objective is quasi-concave where it is positive. 0 if some q has n.q <= 0, or is 0.
+[[nodiscard]] inline double min_cosine_over_distance2(const glm::vec3& n, const glm::vec3& x,
+                                                      const Box& box) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 y((corner & 1) != 0 ? box.hi.x : box.lo.x,
+                      (corner & 2) != 0 ? box.hi.y : box.lo.y,
+                      (corner & 4) != 0 ? box.hi.z : box.lo.z);
+    const double n_dot_q = dot_between(n, x, y);
+    if (n_dot_q <= 0) return 0;
+    double length2 = 0;
+    for (int i = 0; i < 3; ++i) length2 += (double(y[i]) - x[i]) * (double(y[i]) - x[i]);
+    least = std::min(least, n_dot_q / (length2 * std::sqrt(length2)));
+  }
+  return least;
+}
+
 /// min |q|^2 over the box, 0 if and only if x lies in it; relative error 2^-50.
 [[nodiscard]] inline double min_distance2(const glm::vec3& x, const Box& box) {
   double sum = 0;

@@ -21,6 +21,9 @@ struct CutConfig {
   float threshold = 0.02F;       ///< error bound per cluster, relative to the total; default 0.02
   std::uint32_t max_size = 1000; ///< largest number of clusters in a cut, >= 1; default 1000
   float black_level = 0;         ///< a bound up to this radiance is always good enough; default 0
+  /// Nothing comes between the point and any light: `visible` is not called, and the certified
+  /// error, which has lower bounds then, is smaller; default false
+  bool unoccluded = false;
 };
 
 /// Throws InputError, naming the field: threshold and black_level are >= 0, max_size >= 1.
@@ -35,13 +38,9 @@ inline void validate(const CutConfig& config) {
 /// One cluster of a cut.
 struct CutCluster {
   std::uint32_t node;
-  glm::dvec3 transfer; ///< of the node's representative, occlusion included, 1/(m^2 sr)
-  glm::vec3 bound;     ///< of the cluster's error, radiance; 0 for a leaf
-
-  /// Radiance that the cluster is taken to contribute.
-  [[nodiscard]] glm::dvec3 estimate(const LightTree& tree) const {
-    return transfer * tree.node(node).intensity;
-  }
+  bool visible;        ///< whether its representative is seen
+  glm::dvec3 estimate; ///< radiance that it is taken to contribute, occlusion included
+  glm::vec3 bound;     ///< of the error of that, radiance; 0 for a leaf
 };
 
 /// Why refinement ended.
@@ -60,11 +59,21 @@ struct Cut {
   CutEnd end = CutEnd::converged;
 };
 
-/// The parts of the algorithm that decide its correctness, apart so that the oracle can put a
-/// broken one in their place and see that it is found out.
+/// The parts of the algorithm that decide its correctness, apart so that other methods, and the
+/// oracle's broken ones, can put their own in their place.
 struct LightcutsRules {
+  /// Upper bound of the cluster's contribution.
   static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
     return contribution_bound(tree.node(node), point);
+  }
+  /// What the cluster is taken to contribute if its representative is seen; between 0 and `bound`
+  /// (of a leaf: exact). Evaluated at the centroid of intensity, not at the representative: the
+  /// error of first order cancels, and for diffuse surfaces that of second.
+  static glm::dvec3 estimate(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
+                             const glm::vec3& bound) {
+    const TreeNode& cluster = tree.node(node);
+    const glm::dvec3 e = cluster_transfer(point, tree.moments(node)) * cluster.intensity;
+    return cluster.is_leaf() ? e : glm::min(e, glm::dvec3(bound));
   }
   /// Whether a cluster with the first key is refined before one with the second.
   static bool refined_before(double key, double other) { return key > other; }
@@ -82,7 +91,8 @@ struct LightcutsRules {
 /// or max_size is reached. What else is pinned down:
 /// - a leaf has bound 0; a channel without light has bound 0;
 /// - at a dark point (total 0) refinement ends once every bound is at most black_level;
-/// - no node's bound and no light's visibility is evaluated twice for one point;
+/// - a cluster is occluded if its representative is; one below the horizon counts as seen;
+/// - no node and no light's visibility is evaluated twice for one point;
 /// - the test is made on the total summed anew over the cut, so that nothing drifts;
 /// - bounds are compared relative to the total as it was when the size last doubled; between equal
 ///   ones the older cluster goes first.
@@ -98,7 +108,7 @@ public:
   }
 
   /// visible(i) tells whether light i of the LightSet is seen from the point; called only for
-  /// lights that would contribute.
+  /// lights above the horizon.
   template <class Visible>
   Cut operator()(const ShadingPoint& point, Visible&& visible) {
     start();
@@ -108,7 +118,7 @@ public:
       refine(point, visible);
       if (clusters_.size() >= 2 * keyed_at_size_) rekey();
     }
-    return finished();
+    return finished(point);
   }
 
 private:
@@ -128,27 +138,27 @@ private:
 
   template <class Visible>
   void add_root(const ShadingPoint& point, Visible& visible) {
-    clusters_.push_back(evaluated(0, point, visible));
-    total_ = clusters_[0].estimate(*tree_);
+    clusters_.push_back(evaluated(0, sees_representative(0, point, visible), point));
     rekey();
   }
 
-  template <class Visible>
-  CutCluster evaluated(std::uint32_t node, const ShadingPoint& point, Visible& visible) {
-    return {node, seen_transfer(tree_->node(node).representative, point, visible),
-            bound(node, point)};
+  CutCluster evaluated(std::uint32_t node, bool is_visible, const ShadingPoint& point) const {
+    const bool leaf = tree_->node(node).is_leaf();
+    const glm::vec3 bound = leaf ? glm::vec3(0) : Rules::bound(*tree_, node, point);
+    glm::dvec3 estimate(0);
+    if (is_visible && (leaf || bound != glm::vec3(0)))
+      estimate = Rules::estimate(*tree_, node, point, bound);
+    return {node, is_visible, estimate, bound};
   }
 
-  glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) const {
-    return tree_->node(node).is_leaf() ? glm::vec3(0) : Rules::bound(*tree_, node, point);
-  }
-
   template <class Visible>
-  glm::dvec3 seen_transfer(std::uint32_t light, const ShadingPoint& point, Visible& visible) {
-    const glm::dvec3 open = transfer(point, tree_->lights()[light].position);
-    if (open == glm::dvec3(0)) return open;
+  bool sees_representative(std::uint32_t node, const ShadingPoint& point, Visible& visible) {
+    if (config_.unoccluded) return true;
+    const std::uint32_t light = tree_->node(node).representative;
+    const glm::vec3& y = tree_->lights()[light].position;
+    if (dot_between(point.normal(), point.position(), y) <= 0) return true;
     ++shadow_rays_;
-    return visible(light) ? open : glm::dvec3(0);
+    return visible(light);
   }
 
   bool done() {
@@ -159,7 +169,7 @@ private:
   }
 
   /// Replaces the first cluster of the queue by its children; the one that has its representative
-  /// takes its place, evaluated already but for the bound.
+  /// takes its place, its visibility known.
   template <class Visible>
   void refine(const ShadingPoint& point, Visible& visible) {
     std::pop_heap(queue_.begin(), queue_.end(), after);
@@ -170,10 +180,11 @@ private:
     std::uint32_t other = heir + 1;
     if (tree_->node(heir).representative != parent.representative) std::swap(heir, other);
 
-    total_ -= clusters_[place].estimate(*tree_);
-    clusters_[place] = {heir, clusters_[place].transfer, bound(heir, point)};
-    clusters_.push_back(evaluated(other, point, visible));
-    total_ += clusters_[place].estimate(*tree_) + clusters_.back().estimate(*tree_);
+    const CutCluster& parent_cluster = clusters_[place];
+    total_ -= parent_cluster.estimate;
+    clusters_[place] = evaluated(heir, parent_cluster.visible, point);
+    clusters_.push_back(evaluated(other, sees_representative(other, point, visible), point));
+    total_ += clusters_[place].estimate + clusters_.back().estimate;
     push(place);
     push(static_cast<std::uint32_t>(clusters_.size() - 1));
   }
@@ -207,7 +218,7 @@ private:
 
   [[nodiscard]] glm::dvec3 summed() const {
     glm::dvec3 sum(0);
-    for (const CutCluster& c : clusters_) sum += c.estimate(*tree_);
+    for (const CutCluster& c : clusters_) sum += c.estimate;
     return sum;
   }
 
@@ -226,6 +237,16 @@ private:
                        [this](const CutCluster& c) { return obeys(c); });
   }
 
+  /// Estimate and truth lie between lower and upper bound; the lower one is 0 where light may be
+  /// occluded.
+  [[nodiscard]] glm::dvec3 error_bound(const CutCluster& c, const ShadingPoint& point) const {
+    const glm::dvec3 high(c.bound);
+    if (!config_.unoccluded || c.bound == glm::vec3(0)) return high;
+    const glm::dvec3 low(contribution_lower_bound(tree_->node(c.node), point));
+    const glm::dvec3 bound = glm::max(c.estimate - low, high - c.estimate);
+    return glm::min(high, bound);
+  }
+
   [[nodiscard]] bool needed_black_level() const {
     return std::any_of(clusters_.begin(), clusters_.end(), [this](const CutCluster& c) {
       return c.bound.x > config_.threshold * total_.x || c.bound.y > config_.threshold * total_.y ||
@@ -233,7 +254,7 @@ private:
     });
   }
 
-  Cut finished() {
+  Cut finished(const ShadingPoint& point) {
     Cut cut;
     const bool obeyed = all_obey();
     if (!obeyed)
@@ -241,7 +262,7 @@ private:
     else if (config_.black_level > 0 && needed_black_level())
       cut.end = CutEnd::black_level;
     glm::dvec3 error(0);
-    for (const CutCluster& c : clusters_) error += glm::dvec3(c.bound);
+    for (const CutCluster& c : clusters_) error += error_bound(c, point);
     for (int c = 0; c < 3; ++c) {
       cut.radiance[c] = to_float(total_[c]);
       cut.certified_error[c] = certified_error(total_[c], error[c]);

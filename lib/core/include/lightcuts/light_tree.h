@@ -9,6 +9,7 @@
 
 #include <glm/vec3.hpp>
 #include <lightcuts/box.h>
+#include <lightcuts/cluster_moments.h>
 #include <lightcuts/light_set.h>
 
 namespace lightcuts {
@@ -31,19 +32,22 @@ public:
   LightTree() = default;
   /// nodes as described above; see build() for how to get them.
   LightTree(LightSet lights, std::vector<TreeNode> nodes)
-      : lights_(std::move(lights)), nodes_(std::move(nodes)) {
+      : lights_(std::move(lights)), nodes_(std::move(nodes)),
+        moments_(moments_of(nodes_, lights_)) {
     assert(nodes_.size() == (lights_.empty() ? 0 : 2 * lights_.size() - 1));
   }
 
   [[nodiscard]] const LightSet& lights() const { return lights_; }
   [[nodiscard]] std::span<const TreeNode> nodes() const { return nodes_; }
   [[nodiscard]] const TreeNode& node(std::uint32_t i) const { return nodes_[i]; }
+  [[nodiscard]] const ClusterMoments& moments(std::uint32_t i) const { return moments_[i]; }
   /// No lights, no nodes.
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
 
 private:
   LightSet lights_;
   std::vector<TreeNode> nodes_;
+  std::vector<ClusterMoments> moments_;
 };
 
 } // namespace lightcuts

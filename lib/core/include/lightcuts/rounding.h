@@ -23,6 +23,14 @@ namespace lightcuts {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(nearest) + 1);
 }
 
+/// The largest finite float that is not above value >= 0.
+[[nodiscard]] inline float round_down(double value) {
+  if (value >= double(std::numeric_limits<float>::max())) return std::numeric_limits<float>::max();
+  const float nearest = static_cast<float>(value);
+  if (double(nearest) <= value) return nearest;
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(nearest) - 1);
+}
+
 /// Relative error of power() for exponents up to Material::max_exponent and a base whose own
 /// relative error is below 2^-51: (2 + 4) m 2^-53.
 inline constexpr double power_error = 0x1p-30;

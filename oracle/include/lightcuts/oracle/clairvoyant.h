@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include <lightcuts/light_tree.h>
+#include <lightcuts/oracle/subject.h>
 #include <lightcuts/oracle/truth.h>
 
 namespace lightcuts::oracle {
@@ -12,7 +12,7 @@ namespace lightcuts::oracle {
 /// Size of the clairvoyant cut: the smallest whose clusters' estimates all have a true error of at
 /// most max(threshold x true total, black_level), per channel. Found top-down, accepting a cluster
 /// as soon as it qualifies. truth: evaluated at the point with the same visibility.
-[[nodiscard]] std::size_t clairvoyant_cut_size(const LightTree& tree, const ShadingPoint& point,
+[[nodiscard]] std::size_t clairvoyant_cut_size(const Subject& subject, const ShadingPoint& point,
                                                std::span<const char> visible, const Truth& truth,
                                                double threshold, double black_level);
 

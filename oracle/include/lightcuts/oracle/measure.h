@@ -16,8 +16,8 @@ struct MeasureConfig {
   std::vector<Method> methods{Method::reference, Method::lightcuts};
   std::vector<float> thresholds{0.01F, 0.02F, 0.04F, 0.08F}; ///< of the methods that have one
   std::uint32_t max_cut = 1000;
-  unsigned threads = 0; ///< 0: one per core
-  int repeats = 3;      ///< runs of each row, in turn; the median counts
+  unsigned threads = 0;                 ///< 0: one per core
+  int repeats = 3;                      ///< runs of each row, in turn; the median counts
   std::function<void(double)> progress; ///< share done; may be empty
 };
 
@@ -32,8 +32,8 @@ struct Measurement {
 
 /// Renders every method at every threshold, several times in turn so that the machine's mood hits
 /// all alike, and compares with the exact picture. Where lightcuts leaves the tree out it does what
-/// the reference does, and has its times and picture. Throws InputError where the scene has no light
-/// or the camera sees nothing.
+/// the reference does, and has its times and picture. Throws InputError where the scene has no
+/// light or the camera sees nothing.
 [[nodiscard]] Measurement measure(const SceneView& view, const MeasureConfig& config);
 
 /// What a scene needs of the algorithm, in words, and what is left out.

@@ -21,4 +21,7 @@ struct Mutant {
 /// The library itself, as a subject.
 [[nodiscard]] std::unique_ptr<Subject> library_subject(const LightTree& tree);
 
+/// Method::paper, as a subject.
+[[nodiscard]] std::unique_ptr<Subject> paper_subject(const LightTree& tree);
+
 } // namespace lightcuts::oracle

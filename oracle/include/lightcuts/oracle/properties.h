@@ -13,6 +13,7 @@ namespace lightcuts::oracle {
 enum class Property : std::uint8_t {
   bound_dominates_contribution,
   bound_dominates_error,
+  bounds_are_ordered,
   bound_shrinks_on_refinement,
   cut_partitions_lights,
   cut_obeys_threshold,
@@ -24,7 +25,7 @@ enum class Property : std::uint8_t {
   results_are_finite,
   occlusion_equals_brute_force,
 };
-inline constexpr std::size_t property_count = 12;
+inline constexpr std::size_t property_count = 13;
 
 struct PropertyInfo {
   const char* name;

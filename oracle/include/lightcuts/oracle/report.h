@@ -10,8 +10,8 @@
 
 namespace lightcuts::oracle {
 
-/// One method at one threshold, compared with the exact picture. Errors are over the pixels that see
-/// a surface; their formulas stand in image_error.h.
+/// One method at one threshold, compared with the exact picture. Errors are over the pixels that
+/// see a surface; their formulas stand in image_error.h.
 struct Run {
   std::string method;
   double threshold = 0;
@@ -25,12 +25,12 @@ struct Run {
   double max_relative_error = 0;
   double mean_certified_error = 0; ///< relative, like the mean error
   std::uint64_t pixels_over_threshold = 0;
-  std::uint64_t dark_pixels = 0;       ///< ended by the black level
+  std::uint64_t dark_pixels = 0;         ///< ended by the black level
   std::uint64_t size_limited_pixels = 0; ///< ended by the largest cut size
   double speedup_over_reference = 1;
-  double efficiency = 0;        ///< 1 / (rel_rmse^2 render_seconds); 0 for the reference
-  double optimal_cut_size = 0;  ///< mean clairvoyant cut over a sample of pixels
-  double cut_efficiency = 0;    ///< that / the mean cut there
+  double efficiency = 0;       ///< 1 / (rel_rmse^2 render_seconds); 0 for the reference
+  double optimal_cut_size = 0; ///< mean clairvoyant cut over a sample of pixels
+  double cut_efficiency = 0;   ///< that / the mean cut there
 };
 
 /// Everything that a report shows.
@@ -42,9 +42,9 @@ struct Report {
   glm::uvec2 size{0};
   std::uint64_t surface_pixels = 0;
   unsigned threads = 0;
-  int repeats = 0;      ///< interleaved runs per row
+  int repeats = 0; ///< interleaved runs per row
   float black_level = 0;
-  float exposure = 1;   ///< of the pictures
+  float exposure = 1;                ///< of the pictures
   std::vector<std::string> needs;    ///< what the scene needs, one line each
   std::vector<std::string> left_out; ///< what was left out, one line each
   std::vector<Run> runs;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -30,9 +31,24 @@ public:
   [[nodiscard]] virtual const LightTree& tree() const = 0;
   /// What the subject takes for an upper bound of the cluster's contribution, per channel.
   [[nodiscard]] virtual glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) const = 0;
+  /// What it takes the cluster to contribute if its representative is seen, given its bound.
+  [[nodiscard]] virtual glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
+                                            const glm::vec3& bound) const = 0;
   /// A selector for one thread.
   [[nodiscard]] virtual std::unique_ptr<Selector> selector(const CutConfig& config) const = 0;
 };
+
+/// The subject's estimate of a cluster, occlusion included. visible: per light, whether it is seen;
+/// a representative below the horizon counts as seen.
+[[nodiscard]] inline glm::dvec3 seen_estimate(const Subject& subject, std::uint32_t node,
+                                              const ShadingPoint& point, const glm::vec3& bound,
+                                              std::span<const char> visible) {
+  const LightTree& tree = subject.tree();
+  const std::uint32_t light = tree.node(node).representative;
+  const bool seen = visible[light] != 0 || dot_between(point.normal(), point.position(),
+                                                       tree.lights()[light].position) <= 0;
+  return seen ? subject.estimate(node, point, bound) : glm::dvec3(0);
+}
 
 /// The library with the given rules: LightcutsRules, or a mutant's.
 template <class Rules>
@@ -45,6 +61,10 @@ public:
   [[nodiscard]] const LightTree& tree() const override { return *tree_; }
   [[nodiscard]] glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) const override {
     return Rules::bound(*tree_, node, point);
+  }
+  [[nodiscard]] glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
+                                    const glm::vec3& bound) const override {
+    return Rules::estimate(*tree_, node, point, bound);
   }
   [[nodiscard]] std::unique_ptr<Selector> selector(const CutConfig& config) const override {
     return std::make_unique<RulesSelector>(*tree_, config);

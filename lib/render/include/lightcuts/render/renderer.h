@@ -18,8 +18,10 @@ namespace lightcuts {
 /// How pixels are lit.
 enum class Method {
   reference, ///< every light on its own
-  lightcuts  ///< a cut of the light tree, of fixed scaled representatives
+  paper,     ///< lightcuts as published, to compare with; see PaperRules
+  lightcuts  ///< a cut of the light tree; see LightcutsRules
 };
+inline constexpr Method all_methods[] = {Method::reference, Method::paper, Method::lightcuts};
 
 /// The methods by the names that the command line and reports use.
 [[nodiscard]] const char* name_of(Method method);
