@@ -77,11 +77,7 @@ int run(const CheckOptions& options) {
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, {options.seed});
-  oracle::CheckConfig config;
-  config.seed = options.seed;
-  config.pairs = options.pairs;
-  config.threads = options.threads;
-  config.cut = {parse_threshold(options.threshold), options.max_cut, 0};
+  oracle::CheckConfig config = check_config_for(options, options.pairs);
   config.cut.black_level = find_needs(view, tree, config.cut).black_level;
   CheckResult result;
   {

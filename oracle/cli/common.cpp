@@ -145,6 +145,15 @@ Scene open_lit_scene_for(const CommonOptions& options) {
   return scene;
 }
 
+oracle::CheckConfig check_config_for(const CommonOptions& options, std::uint64_t pairs) {
+  oracle::CheckConfig config;
+  config.seed = options.seed;
+  config.pairs = pairs;
+  config.threads = options.threads;
+  config.cut = {parse_threshold(options.threshold), options.max_cut, 0};
+  return config;
+}
+
 std::filesystem::path output_folder_for(const CommonOptions& options) {
   if (!options.out.empty()) return options.out;
   std::string name = std::filesystem::path(options.scene).stem().string();

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <glm/vec2.hpp>
+#include <lightcuts/oracle/check.h>
 #include <lightcuts/render/scene.h>
 #include <nlohmann/json.hpp>
 
@@ -49,6 +50,10 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 
 /// The same for commands that cannot do without light: throws InputError where there is none.
 [[nodiscard]] Scene open_lit_scene_for(const CommonOptions& options);
+
+/// What check() is to do, as the options say; no black level, no progress.
+[[nodiscard]] oracle::CheckConfig check_config_for(const CommonOptions& options,
+                                                   std::uint64_t pairs);
 
 /// --out, or out/NAME after the scene.
 [[nodiscard]] std::filesystem::path output_folder_for(const CommonOptions& options);

@@ -54,9 +54,9 @@ std::string table_of(const Scene& scene, const Facts& facts) {
   return text;
 }
 
-std::string json_of(const Scene& scene, const Facts& facts) {
+std::string json_of(const CommonOptions& options, const Scene& scene, const Facts& facts) {
   const nlohmann::ordered_json json{{"schema", "lightcuts-oracle/info/1"},
-                                    {"scene", scene.name},
+                                    {"scene", options.scene},
                                     {"triangles", scene.mesh.triangles.size()},
                                     {"surfaces", scene.surfaces.size()},
                                     {"lights", scene.lights.size()},
@@ -76,7 +76,7 @@ std::string json_of(const Scene& scene, const Facts& facts) {
 int run(const CommonOptions& options) {
   const Scene scene = open_scene_for(options);
   const Facts facts = facts_of(scene, options);
-  print_results(options, table_of(scene, facts), json_of(scene, facts));
+  print_results(options, table_of(scene, facts), json_of(options, scene, facts));
   return all_holds;
 }
 

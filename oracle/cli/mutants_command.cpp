@@ -50,7 +50,8 @@ std::string table_of(const std::vector<Verdict>& verdicts, const Verdict& librar
                             library.violated ? "; the library itself fails, too" : "");
 }
 
-std::string json_of(const std::vector<Verdict>& verdicts, std::size_t caught) {
+std::string json_of(const std::vector<Verdict>& verdicts, const Verdict& library,
+                    std::size_t caught) {
   nlohmann::ordered_json json{{"schema", "lightcuts-oracle/mutants/1"}};
   auto& list = json["mutants"] = nlohmann::ordered_json::array();
   for (const Verdict& v : verdicts) {
@@ -62,6 +63,7 @@ std::string json_of(const std::vector<Verdict>& verdicts, std::size_t caught) {
   }
   json["caught"] = caught;
   json["total"] = verdicts.size();
+  json["library_passes"] = !library.violated;
   return text_of(json);
 }
 
@@ -69,11 +71,7 @@ int run(const MutantsOptions& options) {
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, {options.seed});
-  oracle::CheckConfig config;
-  config.seed = options.seed;
-  config.pairs = options.pairs;
-  config.threads = options.threads;
-  config.cut = {parse_threshold(options.threshold), options.max_cut, 0};
+  oracle::CheckConfig config = check_config_for(options, options.pairs);
 
   std::vector<Verdict> verdicts;
   std::size_t caught = 0;
@@ -86,7 +84,7 @@ int run(const MutantsOptions& options) {
     }
   }
   const Verdict library = judge(view, *oracle::library_subject(tree), config);
-  print_results(options, table_of(verdicts, library, caught), json_of(verdicts, caught));
+  print_results(options, table_of(verdicts, library, caught), json_of(verdicts, library, caught));
   return caught == verdicts.size() && !library.violated ? all_holds : violated;
 }
 

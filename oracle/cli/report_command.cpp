@@ -50,6 +50,7 @@ int run(const ReportOptions& options) {
   m.report.pictures = oracle::write_pictures(
       {m.shown, &m.reference, m.report.black_level, scene.name, options.seed, m.shown_threshold},
       folder);
+  m.report.scene = options.scene;
   const std::string json = report_json(m.report);
   write_file_atomically(folder.stage("report.json"), json);
   write_file_atomically(folder.stage("report.csv"), report_csv(m.report));

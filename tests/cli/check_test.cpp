@@ -90,7 +90,9 @@ TEST(MutantsCommand, CatchesAllOfThem) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   const json result = json::parse(outcome.out);
-  EXPECT_EQ(keys(result), (std::vector<std::string>{"caught", "mutants", "schema", "total"}));
+  EXPECT_EQ(keys(result),
+            (std::vector<std::string>{"caught", "library_passes", "mutants", "schema", "total"}));
+  EXPECT_EQ(result["library_passes"], true);
   EXPECT_EQ(result["schema"], "lightcuts-oracle/mutants/1");
   EXPECT_EQ(result["caught"], result["total"]);
   EXPECT_EQ(result["total"], result["mutants"].size());

@@ -6,6 +6,7 @@
 
 #include "cluster_index.h"
 #include <lightcuts/input_error.h>
+#include <lightcuts/splitmix.h>
 
 namespace lightcuts {
 namespace {
@@ -14,14 +15,10 @@ using Children = std::pair<std::uint32_t, std::uint32_t>;
 
 double sum_of_channels(const glm::dvec3& v) { return v.x + v.y + v.z; }
 
-/// Uniform in [0, 1), the same for the same arguments (splitmix64).
+/// Uniform in [0, 1), the same for the same arguments.
 double hashed_uniform(std::uint64_t seed, std::uint32_t a, std::uint32_t b) {
-  std::uint64_t z = seed + 0x9e3779b97f4a7c15U * (1 + ((std::uint64_t(a) << 32) | b));
-  for (const std::uint64_t factor : {0xbf58476d1ce4e5b9U, 0x94d049bb133111ebU}) {
-    z = (z ^ (z >> 30)) * factor;
-    z ^= z >> 28;
-  }
-  return double(z >> 11) * 0x1p-53;
+  const std::uint64_t pair = (std::uint64_t(a) << 32) | b;
+  return double(splitmix64(splitmix64(seed) ^ pair) >> 11) * 0x1p-53;
 }
 
 /// Greedy clustering by nearest-neighbour chains: from any cluster follow cheapest partners until

@@ -3,10 +3,11 @@
 
 #include <cstdint>
 
+#include <lightcuts/splitmix.h>
+
 namespace lightcuts {
 
 /// Random numbers that are the same bits everywhere, which the standard's distributions are not.
-/// SplitMix64 (Steele, Lea, Flood 2014).
 class Random {
 public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -16,10 +17,9 @@ public:
       : state_(Random(seed).next() ^ Random(~index).next()) {}
 
   std::uint64_t next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
+    const std::uint64_t bits = splitmix64(state_);
+    state_ += splitmix64_step;
+    return bits;
   }
 
   /// In [0, 1), a multiple of 2^-24.
