@@ -38,6 +38,8 @@ int run(const RenderOptions& options) {
   const Needs needs = find_needs(view, tree, config.cut);
   config.cut.black_level = needs.black_level;
   config.use_tree = needs.tree;
+  const bool uses_tree =
+      config.method == Method::paper || (config.method == Method::lightcuts && needs.tree);
   Rendering rendering;
   {
     Progress progress("render " + options.scene);
@@ -49,6 +51,8 @@ int run(const RenderOptions& options) {
       folder);
   folder.commit();
 
+  if (rendering.surface_pixels == 0)
+    fmt::print(stderr, "{}: the camera sees no surface\n", scene.name);
   const double cut_size = mean(rendering.cut_size, rendering.surface_pixels);
   const double rays = mean(rendering.shadow_rays, rendering.surface_pixels);
   const nlohmann::ordered_json json{
@@ -59,12 +63,12 @@ int run(const RenderOptions& options) {
       {"seconds", rendering.seconds},
       {"mean_cut_size", cut_size},
       {"shadow_rays_per_pixel", rays},
-      {"light_tree", needs.tree},
+      {"light_tree", uses_tree},
       {"folder", out.string()}};
   const std::string table = fmt::format(
       "{}, {}: {:.2f} s, {:.1f} of {} lights and {:.1f} shadow rays per pixel{}\nwritten to {}\n",
       scene.name, options.method, rendering.seconds, cut_size, scene.lights.size(), rays,
-      needs.tree || config.method == Method::reference ? "" : " (no light tree: it would not pay)",
+      uses_tree || config.method == Method::reference ? "" : " (no light tree: it would not pay)",
       out.string());
   print_results(options, table, text_of(json));
   return all_holds;

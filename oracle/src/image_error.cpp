@@ -3,21 +3,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lightcuts::oracle {
 namespace {
 
 double channel_sum(const glm::vec3& v) { return double(v.x) + v.y + v.z; }
 
-/// value / what errors of pixel i are relative to; 0/0 is 0.
+/// value / what errors of pixel i are relative to. What is only the rounding of 0 counts as 0; NaN
+/// (of infinities) as infinite.
 double relative(double value, const glm::vec3& reference, double black_level) {
-  if (value == 0) return 0;
-  return value / std::max(channel_sum(reference), 3 * black_level);
+  if (value <= 3 * 0x1p-149) return 0;
+  const double ratio = value / std::max(channel_sum(reference), 3 * black_level);
+  return std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio;
 }
+
+/// |v - r|; two saturated values are alike.
+double difference(float v, float r) { return v == r ? 0 : std::abs(double(v) - double(r)); }
 
 double pixel_error(const glm::vec3& v, const glm::vec3& r, double black_level) {
   double sum = 0;
-  for (int c = 0; c < 3; ++c) sum += std::abs(double(v[c]) - double(r[c]));
+  for (int c = 0; c < 3; ++c) sum += difference(v[c], r[c]);
   return relative(sum, r, black_level);
 }
 
@@ -48,9 +54,10 @@ ImageError compare(const Rendering& picture, const Rendering& reference, double 
     error.mean_certified += relative(channel_sum(picture.certified_error[i]), r, black_level);
     error.pixels_over_threshold += e > threshold ? 1 : 0;
     for (int c = 0; c < 3; ++c) {
-      const double difference = double(v[c]) - double(r[c]);
-      squares += difference * difference;
-      relative_squares += difference * difference / ((r[c] + 0.01) * (r[c] + 0.01));
+      if (!std::isfinite(r[c])) continue; // no mean would survive it
+      const double d = difference(v[c], r[c]);
+      squares += d * d;
+      relative_squares += d * d / ((r[c] + 0.01) * (r[c] + 0.01));
       sum += r[c];
     }
   }

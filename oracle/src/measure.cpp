@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
@@ -115,7 +116,7 @@ Run summary(const Row& row, const Row& reference, double build_seconds) {
   const ImageError e = compare(p, reference.picture, cut.threshold, cut.black_level);
   Run run;
   run.method = name_of(row.config.method);
-  run.threshold = cut.threshold;
+  run.threshold = std::stod(fmt::format("{}", cut.threshold)); // 0.02, not 0.0199999996
   run.build_seconds = exact || !row.config.use_tree ? 0 : build_seconds;
   run.render_seconds = median(row.seconds);
   run.mean_cut_size = mean(p.cut_size, p.surface_pixels);
@@ -135,16 +136,15 @@ Run summary(const Row& row, const Row& reference, double build_seconds) {
   return run;
 }
 
+/// The row nearest to the default threshold, of lightcuts if there is one, of another method else.
 const Row& row_to_show(const std::vector<Row>& rows) {
-  const float preferred = CutConfig{}.threshold;
-  const Row* best = &rows.front();
-  for (const Row& row : rows)
-    if (row.config.method == Method::lightcuts &&
-        (best->config.method == Method::reference ||
-         std::abs(row.config.cut.threshold - preferred) <
-             std::abs(best->config.cut.threshold - preferred)))
-      best = &row;
-  return *best;
+  const auto rank = [](const Row& row) {
+    const Method method = row.config.method;
+    const int by_method = method == Method::lightcuts ? 0 : method == Method::paper ? 1 : 2;
+    return std::pair(by_method, std::abs(row.config.cut.threshold - CutConfig{}.threshold));
+  };
+  return *std::min_element(rows.begin(), rows.end(),
+                           [&](const Row& a, const Row& b) { return rank(a) < rank(b); });
 }
 
 Report facts(const SceneView& view, const MeasureConfig& config) {
@@ -172,6 +172,10 @@ void describe_needs(const SceneView& view, const Needs& needs, float threshold,
   say(needs.occlusion, needs.occlusion
                            ? "shadow rays: something may stand before a light"
                            : "shadow rays: the scene is a convex room, nothing occludes");
+  if (!needs.sees_surface) {
+    say(false, "light tree: the camera sees no surface");
+    return;
+  }
   say(needs.tree,
       fmt::format("light tree: at threshold {:g} % cuts have {:.1f} of {} lights and are expected "
                   "to take {:.2f} times as long as all lights",
@@ -200,7 +204,8 @@ Measurement measure(const SceneView& view, const MeasureConfig& config) {
           row.config.method == Method::paper ? paper_subject(tree) : library_subject(tree);
       const SampledSizes sizes = sample_sizes(view, *subject, row.config.cut, config.seed);
       run.optimal_cut_size = sizes.clairvoyant;
-      run.cut_efficiency = sizes.clairvoyant / sizes.actual;
+      run.cut_efficiency =
+          sizes.clairvoyant / (leaves_tree_out(row) ? double(tree.lights().size()) : sizes.actual);
     } else if (std::find(config.methods.begin(), config.methods.end(), Method::reference) ==
                config.methods.end()) {
       continue;

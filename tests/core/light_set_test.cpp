@@ -61,5 +61,15 @@ RC_GTEST_PROP(LightSet, KeepsWhatWasAddedInOrder, ()) {
   }
 }
 
+TEST(LightSet, SaysHowNegativeAnIntensityIsHoweverLittle) {
+  LightSet lights;
+  try {
+    lights.add_omni({0, 0, 0}, {1, -1e-9F, 0});
+    FAIL() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "light 0: intensity.g is -1e-09, negative");
+  }
+}
+
 } // namespace
 } // namespace lightcuts

@@ -2,6 +2,7 @@
 #include <lightcuts/oracle/image_error.h>
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -90,6 +91,17 @@ TEST(RelativeErrors, AreThoseOfEachPixel) {
   Rendering p = picture();
   p.radiance[3] = glm::vec3(0); // as render() leaves it
   EXPECT_EQ(relative_errors(p, reference, 0), (std::vector<float>{0.25F, 0, 0.03125F, 0}));
+}
+
+TEST(ImageError, OfTwoSaturatedPixelsIsZeroAndOfOneInfinite) {
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  const Rendering saturated = rendering({{inf, 1, 1}, {1, 1, 1}, {1, 1, 1}, {0, 0, 0}});
+  const Rendering one = rendering({{5, 1, 1}, {1, 1, 1}, {1, 1, 1}, {0, 0, 0}});
+  const ImageError same = compare(saturated, saturated, 0.1, 0);
+  EXPECT_EQ(same.mean, 0);
+  EXPECT_EQ(same.rel_rmse, 0);
+  EXPECT_EQ(compare(one, saturated, 0.1, 0).max, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(compare(one, saturated, 0.1, 0).rel_rmse, 0);
 }
 
 } // namespace

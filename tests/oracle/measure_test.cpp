@@ -149,10 +149,19 @@ TEST(Measure, RefusesASceneWithoutLightsAndACameraThatSeesNothing) {
   EXPECT_THROW((void)measured(away), InputError);
 }
 
+TEST(DescribeNeeds, SaysSoWhereTheCameraSeesNoSurface) {
+  const Scene scene = floor_scene(20);
+  const SceneView view(scene);
+  std::vector<std::string> needed, left_out;
+  describe_needs(view, Needs{}, 0.02F, needed, left_out);
+  EXPECT_THAT(left_out, testing::Contains(HasSubstr("sees no surface")));
+}
+
 TEST(DescribeNeeds, SaysWhatIsNeededAndWhatIsLeftOut) {
   const Scene scene = floor_scene(20);
   const SceneView view(scene);
   Needs needs;
+  needs.sees_surface = true;
   needs.pilot_cut_size = 12.5;
   needs.pilot_cost_of_cuts = 3;
   needs.pilot_cost_of_sums = 2;

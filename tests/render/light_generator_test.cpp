@@ -173,6 +173,14 @@ TEST(DefaultCloud, is_valid_for_flat_and_for_huge_meshes) {
   EXPECT_EQ(lights_of(default_cloud(unit_box_corners(3e38F), 5, 1)).size(), 5U);
 }
 
+TEST(DefaultCloud, hangs_above_a_flat_mesh_not_in_it) {
+  TriangleMesh flat;
+  flat.positions = {{0, 0.1F, 0}, {1, 0.1F, 0}, {0, 0.1F, 1}};
+  flat.triangles = {{0, 1, 2}};
+  for (const OmniLight& light : lights_of(default_cloud(flat, 5, 1)))
+    EXPECT_GT(light.position.y, 0.3F); // a quarter of the diagonal above 0.1
+}
+
 TEST(DefaultCloud, refuses_a_mesh_without_triangles) {
   expect_refusal("no triangles", [] { (void)default_cloud({}, 5, 1); });
 }

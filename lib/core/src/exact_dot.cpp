@@ -19,11 +19,9 @@ std::pair<double, double> two_sum(double a, double b) {
 
 double exact_dot(const glm::vec3& n, const glm::vec3& x, const glm::vec3& y) {
   // Products of two floats have 48 bits and lie in [2^-298, 2^256]: exact in double.
-  std::array<double, 6> term{};
-  for (int i = 0; i < 3; ++i) {
-    term[2 * i] = double(n[i]) * double(y[i]);
-    term[2 * i + 1] = -double(n[i]) * double(x[i]);
-  }
+  std::array<double, 6> term{double(n.x) * double(y.x), -double(n.x) * double(x.x),
+                             double(n.y) * double(y.y), -double(n.y) * double(x.y),
+                             double(n.z) * double(y.z), -double(n.z) * double(x.z)};
   // Shewchuk's grow-expansion: term[0..i] always holds a nonoverlapping expansion of their sum, in
   // ascending order; so the last sum below is within a few ulps of the whole and has its sign.
   for (std::size_t i = 1; i < term.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "number_text.h"
 #include <lightcuts/input_error.h>
 
 namespace lightcuts {
@@ -12,7 +13,7 @@ void LightSet::add_omni(const glm::vec3& position, const glm::vec3& intensity) {
   const auto refuse = [&](const char* field, int axis, const char* axes, float value,
                           const char* why) {
     throw InputError("light " + std::to_string(size()) + ": " + field + "." + axes[axis] + " is " +
-                     std::to_string(value) + ", " + why);
+                     number_text(value) + ", " + why);
   };
   for (int axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(position[axis]))

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "number_text.h"
 #include <lightcuts/input_error.h>
 
 namespace lightcuts {
@@ -10,8 +11,8 @@ namespace {
 
 constexpr float largest = 3.40282347e+38F;
 
-void require(bool holds, const std::string& field, float value) {
-  if (!holds) throw InputError(field + " is " + std::to_string(value) + ", out of its domain");
+void require(bool holds, const std::string& field, float value, const char* domain) {
+  if (!holds) throw InputError(field + " is " + number_text(value) + ", expected " + domain);
 }
 
 } // namespace
@@ -21,12 +22,12 @@ void validate(const Material& material) {
     const std::string channel = std::string(".") + "rgb"[c];
     // Written so that NaN fails too.
     require(material.diffuse[c] >= 0 && material.diffuse[c] <= largest, "diffuse" + channel,
-            material.diffuse[c]);
+            material.diffuse[c], "a finite number of 0 or more");
     require(material.specular[c] >= 0 && material.specular[c] <= largest, "specular" + channel,
-            material.specular[c]);
+            material.specular[c], "a finite number of 0 or more");
   }
   require(material.exponent >= 0 && material.exponent <= Material::max_exponent, "exponent",
-          material.exponent);
+          material.exponent, "0 to 2^20");
 }
 
 } // namespace lightcuts

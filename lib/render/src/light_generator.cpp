@@ -78,6 +78,9 @@ LightCloud default_cloud(const TriangleMesh& mesh, std::uint32_t count, std::uin
   cloud.lo = box.lo + 2 * margin * extent;
   cloud.lo.y = 0.5F * box.lo.y + 0.5F * box.hi.y;
   cloud.hi = box.hi - 2 * margin * extent;
+  // Above a flat scene, not in it: lights in the plane of a surface do not light it.
+  if (extent.y <= 1e-3 * diagonal)
+    cloud.lo.y = cloud.hi.y = static_cast<float>(double(box.hi.y) + 0.25 * diagonal);
   // A flat box can lose the order to rounding.
   for (int axis = 0; axis < 3; ++axis) cloud.hi[axis] = std::max(cloud.lo[axis], cloud.hi[axis]);
   cloud.intensity = glm::vec3(static_cast<float>(std::min(intensity, 1e38)));

@@ -82,7 +82,8 @@ Needs find_needs(const SceneView& view, const LightTree& tree, const CutConfig& 
   needs.pilot_cut_size = pilot.clusters;
   needs.pilot_cost_of_cuts = pilot.cost;
   needs.pilot_cost_of_sums = cost_of_sum(view, points);
-  needs.tree = !points.empty() && pilot.cost < needs.pilot_cost_of_sums;
+  needs.sees_surface = !points.empty();
+  needs.tree = needs.sees_surface && pilot.cost < needs.pilot_cost_of_sums;
   return needs;
 }
 

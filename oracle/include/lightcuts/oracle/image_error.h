@@ -12,6 +12,8 @@ namespace lightcuts::oracle {
 ///   relative error of a pixel = sum_c |v_c - r_c| / max(sum_c r_c, 3 black_level)
 ///   rel_rmse = sqrt(mean_{pixels, c} (v - r)^2) / mean_{pixels, c} r
 ///   mrse = mean_{pixels, c} (v - r)^2 / (r + 0.01)^2, in the scene's units of radiance
+/// Where picture and reference both exceed the largest float they count as equal, and stay out of
+/// the squares.
 struct ImageError {
   double mean = 0, max = 0; ///< of the relative error
   double rel_rmse = 0;

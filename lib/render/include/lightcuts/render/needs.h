@@ -13,7 +13,9 @@ struct Needs {
   bool occlusion = false; ///< something may come between a surface and a light: cast shadow rays
   bool tree = false;      ///< cuts are expected to cost less than all lights
 
-  // What the last one was decided by: means over a grid of pixels that see a surface.
+  bool sees_surface = false; ///< some pixel of the pilot sees one
+
+  // What `tree` was decided by: means over a grid of pixels that see a surface.
   double pilot_cut_size = 0;     ///< clusters per cut at the given threshold
   double pilot_cost_of_cuts = 0; ///< in units of the next one
   double pilot_cost_of_sums = 1; ///< of summing all lights
