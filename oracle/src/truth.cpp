@@ -93,7 +93,7 @@ Exact exact_contribution(const OmniLight& light, const ShadingPoint& point, int 
   const Exact normal2 = exact_squared_length(point.normal(), origin);
   const Exact geometric = n_dot_q / (sqrt(normal2 * distance2) * distance2);
   const Material& m = point.material();
-  const Exact exact_pi = boost::math::constants::pi<Exact>();
+  const Exact& exact_pi = boost::math::constants::pi<Exact>();
   Exact brdf = m.diffuse[channel] / exact_pi;
   const Exact r_dot_q = dot(point.mirror(), x, y);
   if (m.specular[channel] > 0 && r_dot_q > 0) {

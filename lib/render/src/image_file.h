@@ -15,7 +15,8 @@ namespace lightcuts {
 /// Writes pixels of type `type` as `format` ("exr", "png"), whatever the file's extension. Throws
 /// InputError with the file's name and OpenImageIO's message.
 inline void write_image(const std::filesystem::path& file, const std::string& format,
-                        const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
+                        const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
+                        const void* pixels) {
   const auto output = OIIO::ImageOutput::create(format);
   if (!output) throw InputError(file.string() + ": " + OIIO::geterror());
   if (!output->open(file.string(), spec) || !output->write_image(type, pixels) || !output->close())

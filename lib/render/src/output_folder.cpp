@@ -41,7 +41,8 @@ fs::path absolute_folder(const fs::path& folder) {
 void remove_quietly(const std::vector<fs::path>& made) {
   std::error_code ignored;
   // Innermost first; a folder that someone else has used meanwhile is not empty and stays.
-  for (auto it = made.rbegin(); it != made.rend(); ++it) fs::remove(*it, ignored);
+  std::for_each(made.rbegin(), made.rend(),
+                [&ignored](const fs::path& folder) { fs::remove(folder, ignored); });
 }
 
 // Makes `folder` with its parents and returns what was missing, outermost first. Errors name
