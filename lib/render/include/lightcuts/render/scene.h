@@ -42,7 +42,8 @@ struct Scene {
   LightSet lights;
   Camera camera;
   glm::uvec2 image_size{640, 480};
-  std::vector<std::string> notes; ///< what the reader of the scene left out or made up, one line each
+  std::vector<std::string>
+      notes; ///< what the reader of the scene left out or made up, one line each
 };
 
 } // namespace lightcuts
