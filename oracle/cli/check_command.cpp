@@ -74,6 +74,7 @@ std::string json_of(const CheckOptions& options, const CheckResult& result, cons
 }
 
 int run(const CheckOptions& options) {
+  JsonFolder folder(options);
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, {options.seed});
@@ -85,7 +86,9 @@ int run(const CheckOptions& options) {
     config.progress = progress.callback();
     result = check(view, *oracle::library_subject(tree), config);
   }
-  print_results(options, table_of(scene, result, config.cut), json_of(options, result, config.cut));
+  const std::string json = json_of(options, result, config.cut);
+  folder.write("check.json", json);
+  print_results(options, table_of(scene, result, config.cut), json);
   return result.tally.violations() == 0 ? all_holds : violated;
 }
 
@@ -97,6 +100,7 @@ void add_check_command(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("check", "Check every property on a scene.");
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
+  add_json_folder_option(*command, *options);
   command->add_option("--pairs", options->pairs, "(node, shading point) pairs to check at least")
       ->check(check_positive)
       ->capture_default_str();

@@ -127,6 +127,22 @@ void add_threshold_option(CLI::App& command, CommonOptions& options) {
       ->capture_default_str();
 }
 
+void add_json_folder_option(CLI::App& command, CommonOptions& options) {
+  command.add_option("--out", options.out,
+                     "folder to write the results to as " + command.get_name() +
+                         ".json; default: none");
+}
+
+JsonFolder::JsonFolder(const CommonOptions& options) {
+  if (!options.out.empty()) folder_.emplace(options.out);
+}
+
+void JsonFolder::write(const std::string& name, const std::string& json) {
+  if (!folder_) return;
+  write_file_atomically(folder_->stage(name), json);
+  folder_->commit();
+}
+
 void add_out_option(CLI::App& command, CommonOptions& options) {
   command.add_option("--out", options.out, "folder for the results; default: out/SCENE");
 }

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <glm/vec2.hpp>
 #include <lightcuts/oracle/check.h>
+#include <lightcuts/render/output_folder.h>
 #include <lightcuts/render/scene.h>
 #include <nlohmann/json.hpp>
 
@@ -60,6 +61,20 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 
 /// The JSON indented, as UTF-8: bytes of file names that are not become U+FFFD.
 [[nodiscard]] std::string text_of(const nlohmann::ordered_json& json);
+
+/// --out of the commands that draw nothing: a folder for their results as JSON.
+void add_json_folder_option(CLI::App& command, CommonOptions& options);
+
+/// The folder of --out, refused before the long job where it cannot be written; nothing without it.
+class JsonFolder {
+public:
+  explicit JsonFolder(const CommonOptions& options);
+  /// Writes the file that --out promises.
+  void write(const std::string& name, const std::string& json);
+
+private:
+  std::optional<OutputFolder> folder_;
+};
 
 /// Prints the table on stdout and writes the JSON to --json, or only the JSON if that is stdout.
 void print_results(const CommonOptions& options, const std::string& table, const std::string& json);

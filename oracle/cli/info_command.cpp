@@ -74,9 +74,12 @@ std::string json_of(const CommonOptions& options, const Scene& scene, const Fact
 }
 
 int run(const CommonOptions& options) {
+  JsonFolder folder(options);
   const Scene scene = open_scene_for(options);
   const Facts facts = facts_of(scene, options);
-  print_results(options, table_of(scene, facts), json_of(options, scene, facts));
+  const std::string json = json_of(options, scene, facts);
+  folder.write("info.json", json);
+  print_results(options, table_of(scene, facts), json);
   return all_holds;
 }
 
@@ -89,6 +92,7 @@ void add_info_command(CLI::App& app, Action& chosen) {
       app.add_subcommand("info", "Say what is in a scene, what it needs, and what is left out.");
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
+  add_json_folder_option(*command, *options);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

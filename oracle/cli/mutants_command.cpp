@@ -68,6 +68,7 @@ std::string json_of(const std::vector<Verdict>& verdicts, const Verdict& library
 }
 
 int run(const MutantsOptions& options) {
+  JsonFolder folder(options);
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, {options.seed});
@@ -84,7 +85,9 @@ int run(const MutantsOptions& options) {
     }
   }
   const Verdict library = judge(view, *oracle::library_subject(tree), config);
-  print_results(options, table_of(verdicts, library, caught), json_of(verdicts, library, caught));
+  const std::string json = json_of(verdicts, library, caught);
+  folder.write("mutants.json", json);
+  print_results(options, table_of(verdicts, library, caught), json);
   return caught == verdicts.size() && !library.violated ? all_holds : violated;
 }
 
@@ -98,6 +101,7 @@ void add_mutants_command(CLI::App& app, Action& chosen) {
                  "code 1 if one is not, or if the library itself fails).");
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
+  add_json_folder_option(*command, *options);
   command->add_option("--pairs", options->pairs, "(node, shading point) pairs for each mutant")
       ->check(check_positive)
       ->capture_default_str();

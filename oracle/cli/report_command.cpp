@@ -77,7 +77,7 @@ void add_report_command(CLI::App& app, Action& chosen) {
       ->check(CLI::IsMember({"reference", "paper", "lightcuts"}))
       ->capture_default_str();
   command
-      ->add_option("--thresholds", options->thresholds,
+      ->add_option("--thresholds,--threshold", options->thresholds,
                    "of the methods that have one, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "oracle_process.h"
 
+#include <fstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -61,6 +63,16 @@ TEST(CheckCommand, PrintsJsonAndNothingElse) {
   }
   EXPECT_EQ(result["properties"][0]["name"], "bound-dominates-contribution");
   EXPECT_TRUE(oracle.files().empty());
+}
+
+TEST(CheckCommand, WritesJsonToTheFolderAskedFor) {
+  const OracleProcess oracle;
+  EXPECT_EQ(oracle.run(with(small_check, {"--out", "results"})).exit_code, 0);
+  std::ifstream file(oracle.folder() / "results" / "check.json");
+  EXPECT_EQ(json::parse(file)["schema"], "lightcuts-oracle/check/1");
+  const Outcome refused = oracle.run(with(small_check, {"--out", "/dev/null/x"}));
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, testing::HasSubstr("/dev/null/x"));
 }
 
 TEST(CheckCommand, WritesJsonToAFileBesideTheTable) {
