@@ -44,7 +44,6 @@ struct Report {
   unsigned threads = 0;
   int repeats = 0; ///< interleaved runs per row
   float black_level = 0;
-  float exposure = 1;                ///< of the pictures
   std::vector<std::string> needs;    ///< what the scene needs, one line each
   std::vector<std::string> left_out; ///< what was left out, one line each
   std::vector<Run> runs;
