@@ -68,10 +68,11 @@ void check_point(const SceneView& view, const Subject& subject, std::uint64_t pl
 
 void check_ray(const SceneView& view, const VisiblePoint& from, std::uint64_t place,
                std::uint32_t light, Worker& w) {
-  const glm::vec3& y = view.scene().lights[light].position;
-  const ShadowRay ray = shadow_ray(from.ray_origin, y);
+  const Light& the_light = view.scene().lights[light];
+  const glm::vec3& y = the_light.position;
+  const ShadowRay ray = view.ray_to(from, light);
   // A light behind the surface is never asked for.
-  if (transfer(from.point, y) == glm::dvec3(0)) return;
+  if (transfer(from.point, the_light) == glm::dvec3(0)) return;
   ++w.rays;
   const Occlusion brute = brute_force_occlusion(view.scene().mesh, ray);
   if (brute == Occlusion::undecided) {

@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <type_traits>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -77,10 +80,11 @@ void check_error(const PointCase& at, std::uint32_t node, const TreeNode& cluste
 }
 
 /// Lower bound <= truth <= upper bound, if nothing is occluded.
-void check_order(const PointCase& at, std::uint32_t node, const TreeNode& cluster,
+void check_order(const PointCase& at, std::uint32_t node, const LightTree& tree,
                  const glm::vec3& bound, Tally& tally) {
   Worst worst;
-  const glm::vec3 low = contribution_lower_bound(cluster, at.point);
+  const TreeNode& cluster = tree.node(node);
+  const glm::vec3 low = contribution_lower_bound(tree, node, at.point);
   for (int c = 0; c < 3; ++c) {
     const long double truth = at.truth.open(node)[c];
     const long double margin = truth * truth_error;
@@ -111,28 +115,55 @@ void check_shrinking(const Subject& subject, const PointCase& at, std::uint32_t 
   });
 }
 
+/// f n.l at most, per channel, whatever the directions.
+double largest_reflection(const ShadingPoint& point, int channel) {
+  const double diffuse = point.material().diffuse[channel] * std::numbers::inv_pi;
+  if (point.viewer_cosine() <= 0 && !std::holds_alternative<Phong>(point.material().lobe))
+    return diffuse;
+  const auto largest = [&](const auto& lobe) -> double {
+    using OneLobe = std::decay_t<decltype(lobe)>;
+    if constexpr (std::is_same_v<OneLobe, Phong>)
+      return lobe.reflectance[channel] * lobe.normalisation();
+    else if constexpr (std::is_same_v<OneLobe, Ward>)
+      return lobe.reflectance[channel] * lobe.peak(point.viewer_cosine());
+    else if constexpr (std::is_same_v<OneLobe, CookTorrance>)
+      return lobe.distribution(0) * lobe.visibility(0, point.viewer_cosine());
+    else
+      return 0;
+  };
+  return diffuse + std::visit(largest, point.material().lobe);
+}
+
 /// Whether an infinite bound is excused: x in the box, or a supremum beyond the largest float, for
 /// which the nearest distance with all cosines 1 has to reach half of it.
-bool may_be_infinite(const PointCase& at, const TreeNode& cluster, int channel) {
-  if (cluster.box.contains(at.point.position())) return true;
-  const Material& m = at.point.material();
-  const double brdf = m.diffuse[channel] + m.specular[channel] * phong_normalisation(m.exponent);
-  return cluster.intensity[channel] * brdf / min_distance2(at.point.position(), cluster.box) >=
+bool may_be_infinite(const PointCase& at, const LightTree& tree, std::uint32_t node, int channel) {
+  const TreeNode& cluster = tree.node(node);
+  if (cluster.is_mixed())
+    return may_be_infinite(at, tree, cluster.first_child, channel) ||
+           may_be_infinite(at, tree, cluster.first_child + 1, channel);
+  double falloff = 1;
+  if (cluster.kind() != LightKind::directional) {
+    const double nearest2 =
+        std::max(min_distance2(at.point.position(), cluster.box), tree.min_distance2());
+    if (nearest2 == 0) return true;
+    falloff = 1 / nearest2;
+  }
+  return cluster.intensity[channel] * largest_reflection(at.point, channel) * falloff >=
          0.5 * std::numeric_limits<float>::max();
 }
 
-void check_finite(const PointCase& at, std::uint32_t node, const TreeNode& cluster,
+void check_finite(const PointCase& at, std::uint32_t node, const LightTree& tree,
                   const glm::vec3& bound, Tally& tally) {
   bool holds = true;
   int bad = 0;
   for (int c = 0; c < 3; ++c) {
-    const bool fine = bound[c] >= 0 && (bound[c] < infinite || may_be_infinite(at, cluster, c));
+    const bool fine = bound[c] >= 0 && (bound[c] < infinite || may_be_infinite(at, tree, node, c));
     if (!fine && holds) bad = c;
     holds = holds && fine;
   }
   tally.record(Property::results_are_finite, holds, at.place, no_ratio, [&] {
-    return describe(at, node, cluster, bad, "true contribution", at.truth.open(node)[bad], "bound",
-                    bound[bad]);
+    return describe(at, node, tree.node(node), bad, "true contribution", at.truth.open(node)[bad],
+                    "bound", bound[bad]);
   });
 }
 
@@ -146,8 +177,8 @@ void check_clusters(const Subject& subject, const PointCase& at, Tally& tally) {
     const glm::dvec3 estimate = seen_estimate(subject, i, at.point, bound, at.visible);
     check_contribution(at, i, cluster, bound, tally);
     check_error(at, i, cluster, estimate, bound, tally);
-    check_order(at, i, cluster, bound, tally);
-    check_finite(at, i, cluster, bound, tally);
+    check_order(at, i, tree, bound, tally);
+    check_finite(at, i, tree, bound, tally);
     if (!cluster.is_leaf()) check_shrinking(subject, at, i, cluster, bound, tally);
   }
 }

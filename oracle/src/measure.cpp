@@ -167,6 +167,17 @@ void describe_needs(const SceneView& view, const Needs& needs, float threshold,
   const auto say = [&](bool is_needed, const std::string& text) {
     (is_needed ? needed : left_out).push_back(text);
   };
+  const auto say_kind = [&](LightKind kind, const char* lights) {
+    const bool has = (needs.kinds & only(kind)) != 0;
+    say(has, fmt::format("{}: {}", lights, has ? "some" : "none"));
+  };
+  say_kind(LightKind::omni, "omni lights");
+  say_kind(LightKind::oriented, "oriented lights");
+  say_kind(LightKind::spot, "spot lights");
+  say_kind(LightKind::directional, "directional lights");
+  say(needs.clamp, needs.clamp ? fmt::format("clamp: distances count as at least {:g} m",
+                                             view.scene().lights.min_distance())
+                               : "clamp: distances are taken as they are");
   say(needs.specular, needs.specular ? "specular bound: some surfaces are glossy"
                                      : "specular bound: all surfaces are diffuse");
   say(needs.occlusion, needs.occlusion

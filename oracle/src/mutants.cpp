@@ -15,10 +15,17 @@ struct HeapInverted : LightcutsRules {
 };
 
 struct IntensityOfRepresentative : LightcutsRules {
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
-    TreeNode cluster = tree.node(node);
-    cluster.intensity = glm::dvec3(tree.lights()[cluster.representative].intensity);
-    return contribution_bound(cluster, point);
+  template <class OneLobe>
+  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
+                         const OneLobe& lobe) {
+    const TreeNode& cluster = tree.node(node);
+    const glm::vec3& intensity = tree.lights()[cluster.representative].intensity;
+    const glm::vec3 bound = LightcutsRules::bound(tree, node, point, lobe);
+    glm::vec3 result(0);
+    for (int c = 0; c < 3; ++c)
+      if (cluster.intensity[c] > 0)
+        result[c] = to_float(bound[c] * (double(intensity[c]) / cluster.intensity[c]));
+    return result;
   }
 };
 

@@ -16,8 +16,10 @@ namespace {
 std::vector<Cluster> clusters_of(const gen::Scene& scene) {
   std::vector<Cluster> list;
   for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
-    const auto& [position, intensity] = scene.lights[i];
-    list.push_back({{position, position}, double(intensity.x) + intensity.y + intensity.z, i, i});
+    const Light& light = scene.lights[i];
+    const glm::vec3& p = light.position;
+    const double weight = double(light.intensity.x) + light.intensity.y + light.intensity.z;
+    list.push_back({{p, p}, {light.axis, light.axis}, weight, i, i});
   }
   return list;
 }
@@ -94,12 +96,13 @@ RC_GTEST_PROP(UnionCost, NeverFallsAsAClusterGrows, ()) {
   const std::array<Cluster, 3> c{any(), any(), any()};
   Cluster grown = c[0];
   grown.box.extend(c[2].box);
+  grown.axes.extend(c[2].axes);
   grown.weight += c[2].weight;
   RC_ASSERT(union_cost(c[0], c[1]) <= union_cost(grown, c[1]));
 }
 
 TEST(ClusterIndex, HasNoNearestForTheOnlyCluster) {
-  const ClusterIndex index({Cluster{{{0, 0, 0}, {0, 0, 0}}, 1, 0, 0}});
+  const ClusterIndex index({Cluster{.box = {{0, 0, 0}, {0, 0, 0}}, .weight = 1}});
   EXPECT_EQ(index.nearest(0).cost, std::numeric_limits<double>::infinity());
 }
 

@@ -31,24 +31,30 @@ struct InvertedHeap : LightcutsRules {
 };
 
 struct IntensityOfRepresentative : LightcutsRules {
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t i, const ShadingPoint& point) {
-    TreeNode node = tree.node(i);
-    node.intensity = glm::dvec3(tree.lights()[node.representative].intensity);
-    return contribution_bound(node, point);
+  template <class OneLobe>
+  static glm::vec3 bound(const LightTree& tree, std::uint32_t i, const ShadingPoint& point,
+                         const OneLobe& lobe) {
+    const glm::vec3& own = tree.lights()[tree.node(i).representative].intensity;
+    return LightcutsRules::bound(tree, i, point, lobe) *
+           glm::vec3(glm::dvec3(own) / glm::max(tree.node(i).intensity, 0x1p-200));
   }
 };
 
 struct BoundOfRepresentative : LightcutsRules {
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t i, const ShadingPoint& point) {
-    TreeNode node = tree.node(i);
-    node.box.lo = node.box.hi = tree.lights()[node.representative].position;
-    return contribution_bound(node, point);
+  template <class OneLobe>
+  static glm::vec3 bound(const LightTree& tree, std::uint32_t i, const ShadingPoint& point,
+                         const OneLobe& lobe) {
+    const Light& light = tree.lights()[tree.node(i).representative];
+    return glm::vec3(transfer<AnyFeatures>(point, lobe, light, tree.min_distance2()) *
+                     tree.node(i).intensity);
   }
 };
 
 struct RedOnly : LightcutsRules {
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t i, const ShadingPoint& point) {
-    return glm::vec3(contribution_bound(tree.node(i), point).x);
+  template <class OneLobe>
+  static glm::vec3 bound(const LightTree& tree, std::uint32_t i, const ShadingPoint& point,
+                         const OneLobe& lobe) {
+    return glm::vec3(LightcutsRules::bound(tree, i, point, lobe).x);
   }
 };
 
@@ -56,7 +62,7 @@ struct RedOnly : LightcutsRules {
 TEST(CutSelector, CertifiesWhatUnderflows) {
   LightSet lights;
   lights.add_omni({0, 32, 1}, glm::vec3(1));
-  const Material mirror{glm::vec3(0), glm::vec3(1), 256};
+  const Material mirror{glm::vec3(0), Phong{glm::vec3(1), 256}};
   const LightTree tree = build(lights);
   CutSelector select(tree);
   const Cut cut = select({glm::vec3(0), {0, 0, 1}, {0, 0, 1}, mirror}, everything);

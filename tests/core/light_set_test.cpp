@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/light_set.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -58,7 +60,70 @@ RC_GTEST_PROP(LightSet, KeepsWhatWasAddedInOrder, ()) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     RC_ASSERT(lights[i].position == scene.lights[i].position);
     RC_ASSERT(lights[i].intensity == scene.lights[i].intensity);
+    RC_ASSERT(lights[i].kind == scene.lights[i].kind);
+    RC_ASSERT((lights.kinds() & only(lights[i].kind)) != 0);
   }
+}
+
+/// The message with which a set of one light refuses what `add` adds; empty if it takes it.
+template <class Add>
+std::string refusal_of(Add&& add) {
+  LightSet lights;
+  lights.add_omni({0, 0, 0}, {1, 1, 1});
+  try {
+    add(lights);
+  } catch (const InputError& error) {
+    EXPECT_EQ(lights.size(), 1U) << "a refused light must not stay";
+    return error.what();
+  }
+  return {};
+}
+
+TEST(LightSet, RefusesDirectionsThatAreNotUnit) {
+  const glm::vec3 one(1);
+  for (const glm::vec3& bad : {glm::vec3(0), glm::vec3(0, 0.999F, 0), glm::vec3(1e30F)}) {
+    EXPECT_THAT(refusal_of([&](LightSet& l) { l.add_oriented({}, bad, one); }),
+                testing::StartsWith("light 1: normal has length"));
+    EXPECT_THAT(refusal_of([&](LightSet& l) { l.add_spot({}, bad, one, 0, 1); }),
+                testing::StartsWith("light 1: axis has length"));
+    EXPECT_THAT(refusal_of([&](LightSet& l) { l.add_directional(bad, one); }),
+                testing::StartsWith("light 1: direction has length"));
+  }
+  EXPECT_THAT(refusal_of([&](LightSet& l) {
+                l.add_oriented({}, {0, nan, 0}, one);
+              }),
+              testing::HasSubstr("normal.y is nan"));
+}
+
+TEST(LightSet, RefusesConesThatAreNone) {
+  const auto refused = [](float inner, float outer) {
+    return refusal_of([&](LightSet& l) { l.add_spot({}, {0, 0, 1}, {1, 1, 1}, inner, outer); });
+  };
+  for (const float bad : {0.0F, -0.1F, 3.1416F, nan, inf})
+    EXPECT_THAT(refused(0, bad), testing::HasSubstr("light 1: outer angle is"));
+  for (const float bad : {-0.1F, 1.0F, 1.1F, nan})
+    EXPECT_THAT(refused(bad, 1), testing::HasSubstr("light 1: inner angle is"));
+  EXPECT_EQ(refused(0, 3.1415927F), "");
+}
+
+TEST(LightSet, WidensANarrowRimOutwards) {
+  LightSet lights;
+  lights.add_spot({}, {0, 0, 1}, {1, 1, 1}, 0.5F, 0.500001F);
+  EXPECT_FLOAT_EQ(lights[0].cos_inner, std::cos(0.5F));
+  EXPECT_FLOAT_EQ(lights[0].cos_outer, std::cos(0.5F) - 0x1p-10F);
+}
+
+TEST(LightSet, KeepsTheDirectionTowardsADirectionalLight) {
+  LightSet lights;
+  lights.add_directional({0, -1, 0}, {1, 2, 3});
+  EXPECT_EQ(lights[0].position, glm::vec3(0, 1, 0));
+  EXPECT_EQ(lights[0].intensity, glm::vec3(1, 2, 3));
+}
+
+TEST(LightSet, RefusesAClampThatIsNone) {
+  for (const float bad : {0.0F, -1.0F, nan, inf})
+    EXPECT_THAT(refusal_of([&](LightSet& l) { l.set_min_distance(bad); }),
+                testing::StartsWith("min_distance is"));
 }
 
 TEST(LightSet, SaysHowNegativeAnIntensityIsHoweverLittle) {

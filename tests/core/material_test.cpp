@@ -30,25 +30,35 @@ bool names(const std::string& message, const std::string& field) {
 TEST(Material, NamesTheFieldItRefuses) {
   for (int c = 0; c < 3; ++c)
     for (const float bad : {nan, inf, -inf, -0x1p-149F}) {
-      Material diffuse, specular;
+      Material diffuse;
       diffuse.diffuse[c] = bad;
-      specular.specular[c] = bad;
+      glm::vec3 colour(0);
+      colour[c] = bad;
       EXPECT_TRUE(names(refusal(diffuse), std::string("diffuse.") + "rgb"[c]));
-      EXPECT_TRUE(names(refusal(specular), std::string("specular.") + "rgb"[c]));
+      EXPECT_TRUE(names(refusal({{}, Phong{colour, 1}}), std::string("specular.") + "rgb"[c]));
+      EXPECT_TRUE(names(refusal({{}, Ward{colour, 1}}), std::string("specular.") + "rgb"[c]));
+      EXPECT_TRUE(names(refusal({{}, CookTorrance{colour, 1}}), std::string("f0.") + "rgb"[c]));
     }
+  EXPECT_TRUE(names(refusal({{}, CookTorrance{{0, 1.0000001F, 0}, 1}}), "f0.g"));
   for (const float bad : {nan, inf, -0x1p-149F, 0x1.000002p20F})
-    EXPECT_TRUE(names(refusal({glm::vec3(0), glm::vec3(0), bad}), "exponent"));
+    EXPECT_TRUE(names(refusal({{}, Phong{{}, bad}}), "exponent"));
+  for (const float bad : {nan, inf, -1.0F, 0.0F, 0x1.fffffep-15F, 0x1.000002p0F}) {
+    EXPECT_TRUE(names(refusal({{}, Ward{{}, bad}}), "alpha"));
+    EXPECT_TRUE(names(refusal({{}, CookTorrance{{}, bad}}), "alpha"));
+  }
 }
 
 TEST(Material, TakesTheEndsOfItsDomain) {
   const glm::vec3 largest(std::numeric_limits<float>::max());
   EXPECT_EQ(refusal({}), "");
-  EXPECT_EQ(refusal({largest, largest, Material::max_exponent}), "");
+  EXPECT_EQ(refusal({largest, Phong{largest, Phong::max_exponent}}), "");
+  EXPECT_EQ(refusal({largest, Ward{largest, Ward::min_alpha}}), "");
+  EXPECT_EQ(refusal({largest, CookTorrance{glm::vec3(1), CookTorrance::min_alpha}}), "");
 }
 
-TEST(Material, HasSpecularIfAnyChannelHas) {
-  EXPECT_FALSE((Material{glm::vec3(1)}).has_specular());
-  EXPECT_TRUE((Material{glm::vec3(0), {0, 0, 0x1p-149F}}).has_specular());
+TEST(Material, OfPhongIsGlossyIfAnyChannelIs) {
+  EXPECT_FALSE(diffuse_and_phong(glm::vec3(1), glm::vec3(0), 10).is_glossy());
+  EXPECT_TRUE(diffuse_and_phong(glm::vec3(1), {0, 0, 0x1p-149F}, 10).is_glossy());
 }
 
 } // namespace

@@ -20,10 +20,10 @@ TEST(PaperRules, EstimateByTheRepresentativeScaled) {
   lights.add_omni({0, 0, 2}, {1, 0, 0});
   lights.add_omni({0, 0, 4}, {0, 0, 3});
   const LightTree tree = build(lights);
-  const ShadingPoint point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {glm::vec3(1)});
-  const glm::vec3 y = lights[tree.node(0).representative].position;
-  EXPECT_EQ(PaperRules::estimate(tree, 0, point, glm::vec3(0)),
-            transfer(point, y) * glm::dvec3(1, 0, 3));
+  const ShadingPoint point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {glm::vec3(1), {}});
+  const Light& light = lights[tree.node(0).representative];
+  EXPECT_EQ(PaperRules::estimate(tree, 0, point, NoLobe(), glm::vec3(0)),
+            transfer(point, light) * glm::dvec3(1, 0, 3));
 }
 
 } // namespace

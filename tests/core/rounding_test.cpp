@@ -99,7 +99,7 @@ RC_GTEST_PROP(Power, RisesWithTheBase, ()) {
 TEST(Power, KnowsItsSpecialCases) {
   EXPECT_EQ(power(0, 0), 1);
   EXPECT_EQ(power(0, 0.5F), 0);
-  EXPECT_EQ(power(1, Material::max_exponent), 1);
+  EXPECT_EQ(power(1, Phong::max_exponent), 1);
   EXPECT_EQ(power(0.25, 0.5F), 0.5);
   EXPECT_EQ(power(2, 10), 1024);
 }

@@ -57,7 +57,7 @@ TEST(ShadingPoint, NamesTheDirectionThatIsNotUnit) {
 
 TEST(ShadingPoint, NamesTheMaterialsField) {
   gen::View view;
-  view.material.exponent = -1;
+  view.material.lobe = Phong{glm::vec3(1), -1};
   EXPECT_TRUE(names(view, "exponent"));
 }
 

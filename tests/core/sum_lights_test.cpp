@@ -36,7 +36,7 @@ RC_GTEST_PROP(SumLights, AsksForVisibilityOnceOfEachLightAboveTheHorizon, ()) {
   const LightSum sum = sum_lights(lights, point, [&](std::uint32_t i) { return ++calls[i] > 0; });
   std::uint32_t total = 0;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
-    const bool sends = transfer(point, lights[i].position) != glm::dvec3(0);
+    const bool sends = transfer(point, lights[i], lights.min_distance()) != glm::dvec3(0);
     RC_ASSERT(calls[i] == (sends ? 1 : 0));
     total += sends ? 1 : 0;
   }
@@ -44,7 +44,7 @@ RC_GTEST_PROP(SumLights, AsksForVisibilityOnceOfEachLightAboveTheHorizon, ()) {
 }
 
 TEST(SumLights, OfNoLightsIsBlack) {
-  const ShadingPoint point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {glm::vec3(1)});
+  const ShadingPoint point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {glm::vec3(1), {}});
   const LightSum sum = sum_lights({}, point, [](std::uint32_t) { return true; });
   EXPECT_EQ(sum.radiance, glm::dvec3(0));
   EXPECT_EQ(sum.shadow_rays, 0U);

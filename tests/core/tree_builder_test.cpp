@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/tree_builder.h>
 
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -30,7 +31,8 @@ std::string difference(const LightTree& tree, std::uint32_t i, const NaiveCluste
 }
 
 RC_GTEST_PROP(Build, YieldsTheTreeOfTheNaiveBuilder, ()) {
-  const LightSet lights = (*gen::scene(40)).light_set();
+  const auto kind = LightKind(*rc::gen::inRange(0, light_kind_count));
+  const LightSet lights = (*gen::scene_of(kind, 0, false, 40)).light_set();
   RC_ASSERT(difference(build(lights), 0, *naive_build(lights)) == "");
 }
 
@@ -55,6 +57,22 @@ std::set<std::uint32_t> lights_below(const LightTree& tree, std::uint32_t i) {
   return set;
 }
 
+RC_GTEST_PROP(Build, KeepsKindsApartBelowTheMixedClustersAtTheTop, ()) {
+  const LightTree tree = build((*gen::scene(60)).light_set());
+  int mixed = 0;
+  for (const TreeNode& node : tree.nodes()) {
+    if (node.is_leaf()) {
+      RC_ASSERT(node.kind() == tree.lights()[node.representative].kind);
+      continue;
+    }
+    const LightKinds below =
+        tree.node(node.first_child).kinds | tree.node(node.first_child + 1).kinds;
+    RC_ASSERT(node.kinds == below);
+    mixed += node.is_mixed() ? 1 : 0;
+  }
+  RC_ASSERT(mixed == std::popcount(tree.lights().kinds()) - 1);
+}
+
 RC_GTEST_PROP(Build, PutsEveryLightInOneLeaf, ()) {
   const LightSet lights = (*gen::scene(60)).light_set();
   const LightTree tree = build(lights);
@@ -63,7 +81,7 @@ RC_GTEST_PROP(Build, PutsEveryLightInOneLeaf, ()) {
   RC_ASSERT(tree.node(0).light_count == lights.size());
   for (const TreeNode& node : tree.nodes()) {
     if (!node.is_leaf()) continue;
-    const OmniLight& light = lights[node.representative];
+    const Light& light = lights[node.representative];
     RC_ASSERT(node.box == (Box{light.position, light.position}));
     RC_ASSERT(node.intensity == glm::dvec3(light.intensity));
     RC_ASSERT(node.light_count == 1U);

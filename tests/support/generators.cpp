@@ -2,7 +2,9 @@
 #include "generators.h"
 
 #include <iomanip>
+#include <optional>
 #include <ostream>
+#include <variant>
 
 #include "dice.h"
 #include "shrinking.h"
@@ -108,26 +110,48 @@ glm::vec3 reflectance(Dice& dice) {
   return dice.one_in(3) ? glm::vec3(0.5F) : not_negative(dice.in_cube());
 }
 
-Material material(Dice& dice) {
-  const float exponent = dice.one_in(2)
-                             ? dice.pick({0.0F, 1.0F, 10.0F, 1000.0F, 0x1p20F, 0.5F, 2.75F})
-                             : std::min(std::abs(dice.log_uniform(-3, 6.03)), 0x1p20F);
-  switch (dice.below(8)) {
-  case 0:
-    return {};
+/// What a scene is drawn from.
+struct Choice {
+  std::optional<LightKind> kind;   ///< nothing: any, mostly one
+  std::optional<std::size_t> lobe; ///< nothing: any
+  std::optional<bool> clamped;
+};
+
+float exponent(Dice& dice) {
+  return dice.one_in(2) ? dice.pick({0.0F, 1.0F, 10.0F, 1000.0F, 0x1p20F, 0.5F, 2.75F})
+                        : std::min(std::abs(dice.log_uniform(-3, 6.03)), 0x1p20F);
+}
+
+float alpha(Dice& dice) {
+  return dice.one_in(2) ? dice.pick({0x1p-14F, 1.0F, 0.1F, 0.5F, 1e-3F})
+                        : std::clamp(std::abs(dice.log_uniform(-4.2, 0)), 0x1p-14F, 1.0F);
+}
+
+Lobe lobe(Dice& dice, std::size_t index) {
+  switch (index) {
   case 1:
+    return Phong{reflectance(dice), exponent(dice)};
   case 2:
-  case 3:
-    return {reflectance(dice)};
-  case 4:
-    return {glm::vec3(0), reflectance(dice), exponent};
+    return Ward{reflectance(dice), alpha(dice)};
+  case 3: {
+    const glm::vec3 f0 = dice.one_in(3) ? glm::vec3(0.04F) : not_negative(dice.in_cube());
+    return CookTorrance{dice.one_in(6) ? glm::vec3(0, 1, 0x1p-149F) : f0, alpha(dice)};
+  }
   default:
-    return {reflectance(dice), reflectance(dice), exponent};
+    return NoLobe{};
   }
 }
 
+Material material(Dice& dice, const Choice& choice) {
+  const std::size_t index =
+      choice.lobe ? *choice.lobe : std::size_t(dice.below(int(std::variant_size_v<Lobe>)));
+  const int which = dice.below(8);
+  if (which == 0 && !choice.lobe) return {};
+  return {which == 1 ? glm::vec3(0) : reflectance(dice), lobe(dice, index)};
+}
+
 /// A light's position, or one that takes each coordinate from some light: on faces of the boxes.
-glm::vec3 amid_lights(Dice& dice, const std::vector<OmniLight>& lights) {
+glm::vec3 amid_lights(Dice& dice, const std::vector<Light>& lights) {
   const auto any = [&] { return lights[dice.below(static_cast<int>(lights.size()))].position; };
   glm::vec3 p = any();
   if (dice.one_in(2))
@@ -135,7 +159,7 @@ glm::vec3 amid_lights(Dice& dice, const std::vector<OmniLight>& lights) {
   return p;
 }
 
-View make_view(Dice& dice) {
+View make_view(Dice& dice, const Choice& choice) {
   View view;
   switch (dice.below(5)) {
   case 0:
@@ -154,31 +178,72 @@ View make_view(Dice& dice) {
   }
   view.normal = dice.unit_vector();
   view.to_viewer = dice.one_in(4) ? view.normal : dice.unit_vector();
-  view.material = material(dice);
+  view.material = material(dice, choice);
   return view;
 }
 
-Scene make_scene(Dice& dice, int count) {
+/// Towards the point, past it at a right angle, or anywhere.
+glm::vec3 axis(Dice& dice, const glm::vec3& from, const glm::vec3& to) {
+  const glm::dvec3 d = glm::dvec3(to) - glm::dvec3(from);
+  const double length = glm::length(d);
+  if (!(length > 1e-30) || dice.one_in(2)) return dice.unit_vector();
+  const glm::dvec3 unit = d / length;
+  if (dice.one_in(2)) return glm::vec3(unit);
+  const glm::dvec3 side = glm::cross(unit, glm::dvec3(dice.unit_vector()));
+  return glm::length(side) > 1e-6 ? glm::vec3(glm::normalize(side)) : glm::vec3(unit);
+}
+
+/// position and intensity are set.
+void finish(Dice& dice, Light& light, const glm::vec3& x) {
+  switch (light.kind) {
+  case LightKind::omni:
+    break;
+  case LightKind::directional:
+    light.position = dice.unit_vector();
+    break;
+  case LightKind::oriented:
+    light.axis = axis(dice, light.position, x);
+    break;
+  case LightKind::spot:
+    light.axis = axis(dice, light.position, x);
+    light.cos_inner = float(dice.uniform(-0.9, 1));
+    light.cos_outer = float(dice.uniform(-1, light.cos_inner - 0x1p-10));
+    if (dice.one_in(4)) light.cos_outer = std::min(0.0F, light.cos_inner - 0x1p-10F);
+    break;
+  }
+}
+
+Scene make_scene(Dice& dice, int count, const Choice& choice = {}) {
   Scene scene;
-  scene.view = make_view(dice);
+  scene.view = make_view(dice, choice);
   const auto any_place = [&] { return static_cast<Place>(dice.below(int(Place::count))); };
+  const auto any_kind = [&] { return LightKind(dice.below(light_kind_count)); };
   const Place usual = any_place();
+  const LightKind usual_kind = choice.kind ? *choice.kind : any_kind();
   const glm::vec3 anchor = dice.one_in(4) ? dice.finite_vector() : dice.in_cube();
   const int usual_intensity = dice.below(6);
   for (int i = 0; i < count; ++i) {
     const Place place = dice.one_in(8) ? any_place() : usual;
-    const int kind = dice.one_in(8) ? dice.below(6) : usual_intensity;
-    scene.lights.push_back({position(dice, place, scene.view, anchor), intensity(dice, kind)});
+    const int brightness = dice.one_in(8) ? dice.below(6) : usual_intensity;
+    Light light;
+    light.kind = !choice.kind && dice.one_in(8) ? any_kind() : usual_kind;
+    light.position = position(dice, place, scene.view, anchor);
+    light.intensity = intensity(dice, brightness);
+    finish(dice, light, scene.view.position);
+    scene.lights.push_back(light);
   }
   if (dice.one_in(4)) scene.view.position = amid_lights(dice, scene.lights);
+  if (choice.clamped ? *choice.clamped : dice.one_in(4))
+    scene.min_distance = dice.one_in(2) ? dice.pick({1.0F, 0.5F, 2.0F})
+                                        : std::max(std::abs(dice.log_uniform(-6, 6)), 0x1p-149F);
   return scene;
 }
 
 BoxView make_box_view(Dice& dice) {
-  const Scene scene = make_scene(dice, dice.between(1, 4));
+  const Scene scene = make_scene(dice, dice.between(1, 4), {LightKind::omni, 0, false});
   BoxView view{Box::empty(), scene.view.position,
                dice.one_in(6) ? dice.finite_vector() : scene.view.normal};
-  for (const OmniLight& light : scene.lights) view.box.extend(light.position);
+  for (const Light& light : scene.lights) view.box.extend(light.position);
   if (dice.one_in(6))
     for (int i = 0; i < 3; ++i) view.x[i] = dice.one_in(2) ? view.box.lo[i] : view.box.hi[i];
   return view;
@@ -203,7 +268,8 @@ std::ostream& show(std::ostream& out, const char* name, const glm::vec3& v) {
 
 LightSet Scene::light_set() const {
   LightSet set;
-  for (const OmniLight& light : lights) set.add_omni(light.position, light.intensity);
+  for (const Light& light : lights) set.add(light);
+  if (min_distance > 0) set.set_min_distance(min_distance);
   return set;
 }
 
@@ -212,15 +278,25 @@ std::ostream& operator<<(std::ostream& out, const View& view) {
   show(out, "normal", view.normal);
   show(out, "to_viewer", view.to_viewer);
   show(out, "\n  diffuse", view.material.diffuse);
-  show(out, "specular", view.material.specular);
-  return out << "exponent " << Number{view.material.exponent};
+  if (const auto* phong = std::get_if<Phong>(&view.material.lobe))
+    show(out, "Phong", phong->reflectance) << Number{phong->exponent};
+  if (const auto* ward = std::get_if<Ward>(&view.material.lobe))
+    show(out, "Ward", ward->reflectance) << Number{ward->alpha};
+  if (const auto* ggx = std::get_if<CookTorrance>(&view.material.lobe))
+    show(out, "Cook-Torrance", ggx->f0) << Number{ggx->alpha};
+  return out;
 }
 
 std::ostream& operator<<(std::ostream& out, const Scene& scene) {
   out << std::setprecision(9) << scene.view;
-  for (const OmniLight& light : scene.lights) {
-    show(out, "\nlight: position", light.position);
+  if (scene.min_distance > 0) out << "\nmin_distance " << Number{scene.min_distance};
+  for (const Light& light : scene.lights) {
+    constexpr const char* kinds[] = {"omni", "oriented", "spot", "directional"};
+    show(out << "\n" << kinds[int(light.kind)] << " light: ", "position", light.position);
     show(out, "intensity", light.intensity);
+    if ((only(light.kind) & kinds_with_axis) != 0) show(out, "axis", light.axis);
+    if (light.kind == LightKind::spot)
+      out << "cosines " << Number{light.cos_inner} << " " << Number{light.cos_outer};
   }
   return out;
 }
@@ -241,10 +317,26 @@ rc::Gen<glm::vec3> unit_vector() {
                               simpler_directions);
 }
 
-rc::Gen<Scene> scene(int max_lights) {
-  return shrinking<Scene>([max_lights](Dice& dice, int size) {
-    return make_scene(dice, dice.between(1, 1 + (max_lights - 1) * std::min(size, 100) / 100));
+namespace {
+
+rc::Gen<Scene> scene_from(const Choice& choice, int max_lights) {
+  return shrinking<Scene>([choice, max_lights](Dice& dice, int size) {
+    const int count = dice.between(1, 1 + (max_lights - 1) * std::min(size, 100) / 100);
+    return make_scene(dice, count, choice);
   });
+}
+
+} // namespace
+
+rc::Gen<Scene> scene(int max_lights) { return scene_from({}, max_lights); }
+
+rc::Gen<Scene> plain_scene(int max_lights) {
+  return rc::gen::oneOf(scene_of(LightKind::omni, 0, false, max_lights),
+                        scene_of(LightKind::omni, 1, false, max_lights));
+}
+
+rc::Gen<Scene> scene_of(LightKind kind, std::size_t lobe, bool clamped, int max_lights) {
+  return scene_from({kind, lobe, clamped}, max_lights);
 }
 
 rc::Gen<BoxView> box_view() {

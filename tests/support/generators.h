@@ -19,14 +19,15 @@ namespace lightcuts::gen {
 /// What a ShadingPoint is made of.
 struct View {
   glm::vec3 position{0}, normal{0, 0, 1}, to_viewer{0, 0, 1};
-  Material material{glm::vec3(1)};
+  Material material{glm::vec3(1), {}};
 
   [[nodiscard]] ShadingPoint point() const { return {position, normal, to_viewer, material}; }
 };
 
 struct Scene {
-  std::vector<OmniLight> lights;
+  std::vector<Light> lights;
   View view;
+  float min_distance = 0; ///< 0: no clamp
 
   [[nodiscard]] LightSet light_set() const;
 };
@@ -45,8 +46,13 @@ std::ostream& operator<<(std::ostream& out, const BoxView& view);
 rc::Gen<float> finite_float();
 /// Length within 1e-6 of 1; often along an axis, or all but.
 rc::Gen<glm::vec3> unit_vector();
-/// 1 to max_lights lights, growing with rapidcheck's size.
+/// 1 to max_lights lights of all kinds, growing with rapidcheck's size; all materials; clamped or
+/// not.
 rc::Gen<Scene> scene(int max_lights = 24);
+/// The same of omni lights only, diffuse and Phong surfaces, not clamped.
+rc::Gen<Scene> plain_scene(int max_lights = 24);
+/// The same of one kind of light and one kind of lobe (its index in Lobe).
+rc::Gen<Scene> scene_of(LightKind kind, std::size_t lobe, bool clamped, int max_lights = 24);
 rc::Gen<BoxView> box_view();
 
 /// The value that a generator makes of a seed: for loops outside rapidcheck.

@@ -9,6 +9,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <lightcuts/light_set.h>
 #include <lightcuts/light_tree.h>
+#include <lightcuts/oracle/radiometry.h>
 #include <lightcuts/shading_point.h>
 
 /// Real numbers, or so nearly that no float and no double can tell the difference.
@@ -16,8 +17,8 @@ namespace lightcuts::precise {
 
 namespace mp = boost::multiprecision;
 
-/// Dot products of floats need bits 2^-298 .. 2^259 and are exact in these 720; any exponent.
-using Exact = mp::number<mp::cpp_bin_float<720, mp::digit_base_2>, mp::et_off>;
+/// Dot products of floats need bits 2^-298 .. 2^259 and are exact in these 700; any exponent.
+using Exact = oracle::Exact;
 /// 128 bits, any exponent: relative error 2^-127 per operation.
 using Quad = mp::number<mp::cpp_bin_float<128, mp::digit_base_2>, mp::et_off>;
 /// One number per colour channel.
@@ -53,35 +54,14 @@ inline Quad power(Quad base, float exponent) {
 
 inline Quad pi() { return boost::math::constants::pi<Quad>(); }
 
-/// material(l) in the direction of a given cosine with the mirror direction; a cosine <= 0: no
-/// lobe.
-inline Colour brdf(const Material& m, const Quad& mirror_cosine) {
-  const Quad lobe = mirror_cosine > 0
-                        ? (Quad(m.exponent) + 2) / (2 * pi()) * power(mirror_cosine, m.exponent)
-                        : Quad(0);
-  Colour f;
-  for (int c = 0; c < 3; ++c) f[c] = Quad(m.diffuse[c]) / pi() + Quad(m.specular[c]) * lobe;
-  return f;
+/// Radiance that the light sends to the viewer, in real numbers.
+inline Colour contribution(const ShadingPoint& point, const Light& light, float min_distance = 0) {
+  return oracle::radiometry::contribution<Quad>(light, point, min_distance);
 }
 
-/// transfer() in real numbers.
+/// That of an omni light of intensity 1.
 inline Colour transfer(const ShadingPoint& point, const glm::vec3& y) {
-  const Quad n_dot_q(dot(point.normal(), point.position(), y));
-  if (n_dot_q <= 0) return {};
-  const Quad d2(distance2(point.position(), y));
-  const Quad d = sqrt(d2);
-  Quad cosine = 0;
-  if (point.material().has_specular())
-    cosine = Quad(dot(point.mirror(), point.position(), y)) / (length(point.mirror()) * d);
-  Colour f = brdf(point.material(), cosine);
-  for (Quad& v : f) v *= n_dot_q / (length(point.normal()) * d2 * d);
-  return f;
-}
-
-inline Colour contribution(const ShadingPoint& point, const OmniLight& light) {
-  Colour f = precise::transfer(point, light.position);
-  for (int c = 0; c < 3; ++c) f[c] *= Quad(light.intensity[c]);
-  return f;
+  return contribution(point, {.position = y, .intensity = glm::vec3(1)});
 }
 
 /// The sum over all lights that `visible` says are seen.
@@ -90,7 +70,7 @@ Colour sum(const LightSet& lights, const ShadingPoint& point, Visible&& visible)
   Colour total{};
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     if (!visible(i)) continue;
-    const Colour one = contribution(point, lights[i]);
+    const Colour one = contribution(point, lights[i], lights.min_distance());
     for (int c = 0; c < 3; ++c) total[c] += one[c];
   }
   return total;
@@ -102,7 +82,8 @@ inline std::vector<Colour> contributions(const LightTree& tree, const ShadingPoi
   for (std::size_t i = result.size(); i-- > 0;) {
     const TreeNode& node = tree.nodes()[i];
     if (node.is_leaf()) {
-      result[i] = contribution(point, tree.lights()[node.representative]);
+      result[i] =
+          contribution(point, tree.lights()[node.representative], tree.lights().min_distance());
       continue;
     }
     for (int c = 0; c < 3; ++c)

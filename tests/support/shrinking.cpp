@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shrinking.h"
 
+#include <variant>
+
 namespace lightcuts::gen {
 namespace {
 
@@ -45,6 +47,25 @@ std::vector<Scene> with_fewer_lights(const Scene& scene) {
   return list;
 }
 
+void simplify_lobe(std::vector<Scene>& list, const Scene& scene) {
+  const Lobe& lobe = scene.view.material.lobe;
+  if (std::holds_alternative<NoLobe>(lobe)) return;
+  list.push_back(scene);
+  list.back().view.material.lobe = NoLobe{};
+  const auto simplify_as = [&]<class OneLobe>(glm::vec3 OneLobe::*colour) {
+    if (std::holds_alternative<OneLobe>(lobe))
+      simplify_vector(list, scene, [colour](Scene& s) -> glm::vec3& {
+        return std::get<OneLobe>(s.view.material.lobe).*colour;
+      });
+  };
+  simplify_as(&Phong::reflectance);
+  simplify_as(&Ward::reflectance);
+  simplify_as(&CookTorrance::f0);
+  if (std::holds_alternative<Phong>(lobe))
+    simplify(list, scene,
+             [](Scene& s) -> float& { return std::get<Phong>(s.view.material.lobe).exponent; });
+}
+
 } // namespace
 
 std::vector<float> simpler(const float& value) {
@@ -77,11 +98,17 @@ std::vector<Scene> simpler(const Scene& scene) {
   simplify_vector(list, scene, [](Scene& s) -> glm::vec3& { return s.view.position; });
   simplify_direction(list, scene, [](Scene& s) -> glm::vec3& { return s.view.normal; });
   simplify_direction(list, scene, [](Scene& s) -> glm::vec3& { return s.view.to_viewer; });
-  simplify_vector(list, scene, [](Scene& s) -> glm::vec3& { return s.view.material.specular; });
   simplify_vector(list, scene, [](Scene& s) -> glm::vec3& { return s.view.material.diffuse; });
-  simplify(list, scene, [](Scene& s) -> float& { return s.view.material.exponent; });
+  simplify_lobe(list, scene);
+  simplify(list, scene, [](Scene& s) -> float& { return s.min_distance; });
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    simplify_vector(list, scene, [i](Scene& s) -> glm::vec3& { return s.lights[i].position; });
+    const auto position = [i](Scene& s) -> glm::vec3& { return s.lights[i].position; };
+    if (scene.lights[i].kind == LightKind::directional)
+      simplify_direction(list, scene, position);
+    else
+      simplify_vector(list, scene, position);
+    if ((only(scene.lights[i].kind) & kinds_with_axis) != 0)
+      simplify_direction(list, scene, [i](Scene& s) -> glm::vec3& { return s.lights[i].axis; });
     simplify_vector(list, scene, [i](Scene& s) -> glm::vec3& { return s.lights[i].intensity; });
   }
   return list;

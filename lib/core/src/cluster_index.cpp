@@ -21,7 +21,7 @@ ClusterIndex::ClusterIndex(std::vector<Cluster> clusters)
     : leaves_(
           std::bit_ceil(static_cast<std::uint32_t>(clusters.size() + leaf_size - 1) / leaf_size)),
       nodes_(2 * std::size_t(leaves_)),
-      slots_(std::size_t(leaves_) * leaf_size, Cluster{Box::empty(), 0, gone, 0}) {
+      slots_(std::size_t(leaves_) * leaf_size, Cluster{Box::empty(), Box::empty(), 0, gone, 0}) {
   split(1, clusters, 0);
   for (std::uint32_t i = 2 * leaves_ - 1; i >= 1; --i) summarise(i);
 }
@@ -46,19 +46,21 @@ void ClusterIndex::split(std::uint32_t node, std::span<Cluster> members, std::ui
 }
 
 void ClusterIndex::summarise(std::uint32_t node) {
-  Node sum{Box::empty(), std::numeric_limits<double>::infinity(), gone};
-  const auto add = [&sum](const Box& box, double weight, std::uint32_t id) {
+  Node sum{Box::empty(), Box::empty(), std::numeric_limits<double>::infinity(), gone};
+  const auto add = [&sum](const Box& box, const Box& axes, double weight, std::uint32_t id) {
     sum.box.extend(box);
+    sum.axes.extend(axes);
     sum.min_weight = std::min(sum.min_weight, weight);
     sum.min_id = std::min(sum.min_id, id);
   };
   if (node < leaves_) {
     for (const auto child : {2 * node, 2 * node + 1})
-      add(nodes_[child].box, nodes_[child].min_weight, nodes_[child].min_id);
+      add(nodes_[child].box, nodes_[child].axes, nodes_[child].min_weight, nodes_[child].min_id);
   } else {
     const std::uint32_t first = (node - leaves_) * leaf_size;
     for (std::uint32_t slot = first; slot < first + leaf_size; ++slot)
-      if (holds_cluster(slot)) add(slots_[slot].box, slots_[slot].weight, slots_[slot].id);
+      if (holds_cluster(slot))
+        add(slots_[slot].box, slots_[slot].axes, slots_[slot].weight, slots_[slot].id);
   }
   nodes_[node] = sum;
 }
@@ -76,9 +78,13 @@ void ClusterIndex::replace(std::uint32_t a, std::uint32_t b, const Cluster& merg
 
 double ClusterIndex::least_cost(std::uint32_t node, const Cluster& of) const {
   const Node& n = nodes_[node];
-  // A cluster below the node reaches at least from box.hi down and from box.lo up.
-  const Box nearest{glm::min(n.box.hi, of.box.lo), glm::max(n.box.lo, of.box.hi)};
-  return (of.weight + n.min_weight) * squared_diagonal_of_union(nearest, nearest);
+  // A cluster below the node reaches at least from hi down and from lo up.
+  const auto least = [](const Box& below, const Box& own) {
+    const Box nearest{glm::min(below.hi, own.lo), glm::max(below.lo, own.hi)};
+    return squared_diagonal_of_union(nearest, nearest);
+  };
+  const double spread = least(n.axes, of.axes);
+  return (of.weight + n.min_weight) * (least(n.box, of.box) + spread * spread);
 }
 
 void ClusterIndex::scan_leaf(std::uint32_t leaf, std::uint32_t self, Neighbour& best) const {

@@ -15,19 +15,47 @@ void require(bool holds, const std::string& field, float value, const char* doma
   if (!holds) throw InputError(field + " is " + number_text(value) + ", expected " + domain);
 }
 
+// Comparisons are written so that NaN fails, too.
+
+void require_reflectance(const glm::vec3& value, const char* field) {
+  for (int c = 0; c < 3; ++c)
+    require(value[c] >= 0 && value[c] <= largest, std::string(field) + "." + "rgb"[c], value[c],
+            "a finite number of 0 or more");
+}
+
+void require_alpha(float alpha) {
+  require(alpha >= 0x1p-14F && alpha <= 1, "alpha", alpha, "2^-14 to 1");
+}
+
 } // namespace
 
+void Phong::validate() const {
+  require_reflectance(reflectance, "specular");
+  require(exponent >= 0 && exponent <= max_exponent, "exponent", exponent, "0 to 2^20");
+}
+
+void Ward::validate() const {
+  require_reflectance(reflectance, "specular");
+  static_assert(min_alpha == 0x1p-14F);
+  require_alpha(alpha);
+}
+
+void CookTorrance::validate() const {
+  for (int c = 0; c < 3; ++c)
+    require(f0[c] >= 0 && f0[c] <= 1, std::string("f0.") + "rgb"[c], f0[c], "0 to 1");
+  static_assert(min_alpha == 0x1p-14F);
+  require_alpha(alpha);
+}
+
 void validate(const Material& material) {
-  for (int c = 0; c < 3; ++c) {
-    const std::string channel = std::string(".") + "rgb"[c];
-    // Written so that NaN fails too.
-    require(material.diffuse[c] >= 0 && material.diffuse[c] <= largest, "diffuse" + channel,
-            material.diffuse[c], "a finite number of 0 or more");
-    require(material.specular[c] >= 0 && material.specular[c] <= largest, "specular" + channel,
-            material.specular[c], "a finite number of 0 or more");
-  }
-  require(material.exponent >= 0 && material.exponent <= Material::max_exponent, "exponent",
-          material.exponent, "0 to 2^20");
+  require_reflectance(material.diffuse, "diffuse");
+  std::visit([](const auto& lobe) { lobe.validate(); }, material.lobe);
+}
+
+Material diffuse_and_phong(const glm::vec3& diffuse, const glm::vec3& specular, float exponent) {
+  Material material{diffuse, {}};
+  if (specular != glm::vec3(0)) material.lobe = Phong{specular, exponent};
+  return material;
 }
 
 } // namespace lightcuts

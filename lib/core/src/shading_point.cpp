@@ -1,49 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/shading_point.h>
 
-#include <cmath>
-#include <string>
-
-#include <glm/geometric.hpp>
-
-#include <lightcuts/input_error.h>
-
 namespace lightcuts {
-namespace {
-
-double length(const glm::vec3& v) { return glm::length(glm::dvec3(v)); }
-
-void require_finite(const glm::vec3& v, const char* name) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (!std::isfinite(v[axis]))
-      throw InputError(std::string("shading point: ") + name + "." + "xyz"[axis] +
-                       " is not a finite number");
-}
-
-void require_unit(const glm::vec3& v, const char* name) {
-  require_finite(v, name);
-  const double l = length(v);
-  if (!(std::abs(l - 1) <= 1e-5))
-    throw InputError(std::string("shading point: ") + name + " has length " + std::to_string(l) +
-                     ", not 1");
-}
-
-glm::vec3 mirrored(const glm::dvec3& n, const glm::dvec3& o) {
-  return glm::vec3(glm::normalize(2 * glm::dot(n, o) / glm::dot(n, n) * n - o));
-}
-
-} // namespace
 
 ShadingPoint::ShadingPoint(const glm::vec3& position, const glm::vec3& normal,
                            const glm::vec3& to_viewer, const Material& material)
-    : position_(position), normal_(normal), material_(material) {
-  require_finite(position, "position");
-  require_unit(normal, "normal");
-  require_unit(to_viewer, "to_viewer");
+    : ShadingFrame(position, normal, to_viewer), material_(material) {
   validate(material);
-  mirror_ = mirrored(normal, to_viewer);
-  inverse_normal_length_ = 1 / length(normal_);
-  inverse_mirror_length_ = 1 / length(mirror_);
 }
 
 } // namespace lightcuts

@@ -2,6 +2,7 @@
 #include <lightcuts/tree_builder.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cluster_index.h"
@@ -27,26 +28,25 @@ double hashed_uniform(std::uint64_t seed, std::uint32_t a, std::uint32_t b) {
 /// all each time, in another order (Murtagh 1983; Walter et al. 2008, section 3.2).
 class Clustering {
 public:
-  Clustering(const LightSet& lights, std::uint64_t seed) : seed_(seed) {
+  Clustering(const LightSet& lights, std::uint64_t seed) : lights_(lights), seed_(seed) {
     const std::size_t total = 2 * lights.size() - 1;
     nodes_.reserve(total);
     for (std::uint32_t i = 0; i < lights.size(); ++i) {
       const Box box{lights[i].position, lights[i].position};
-      nodes_.push_back({box, glm::dvec3(lights[i].intensity), 0, i, 1});
+      nodes_.push_back({box, glm::dvec3(lights[i].intensity), 0, i, 1, only(lights[i].kind)});
     }
     children_.resize(total);
   }
 
-  /// Merges until one cluster is left.
+  /// Merges until one cluster is left: the lights of each kind among themselves, then those.
   void run() {
-    std::vector<Cluster> left;
-    for (std::uint32_t i = 0; i < nodes_.size(); ++i)
-      left.push_back({nodes_[i].box, sum_of_channels(nodes_[i].intensity), i, i});
-    while (left.size() > 1) {
-      ClusterIndex index(std::move(left));
-      merge_half(index);
-      left = index.clusters();
-    }
+    std::vector<Cluster> roots;
+    for (int kind = 0; kind < light_kind_count; ++kind)
+      if (std::vector<Cluster> lights = clusters_of(LightKind(kind)); !lights.empty())
+        roots.push_back(merged_to_one(std::move(lights)));
+    std::sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    Cluster all = roots.front();
+    for (std::size_t i = 1; i < roots.size(); ++i) all = joined(all, roots[i]);
   }
 
   /// The tree as LightTree wants it: node 0 the root, siblings together, parents before children.
@@ -71,6 +71,30 @@ public:
   }
 
 private:
+  [[nodiscard]] std::vector<Cluster> clusters_of(LightKind kind) const {
+    Box all = Box::empty();
+    for (const Light& light : lights_)
+      if (light.kind == kind) all.extend(light.position);
+    const double diagonal = std::sqrt(squared_diagonal_of_union(all, all));
+    const auto axis_scale = static_cast<float>(0.25 * std::sqrt(diagonal));
+    std::vector<Cluster> clusters;
+    for (std::uint32_t i = 0; i < lights_.size(); ++i) {
+      if (lights_[i].kind != kind) continue;
+      const glm::vec3 axis = axis_scale * lights_[i].axis;
+      clusters.push_back({nodes_[i].box, {axis, axis}, sum_of_channels(nodes_[i].intensity), i, i});
+    }
+    return clusters;
+  }
+
+  Cluster merged_to_one(std::vector<Cluster> left) {
+    while (left.size() > 1) {
+      ClusterIndex index(std::move(left));
+      merge_half(index);
+      left = index.clusters();
+    }
+    return left.front();
+  }
+
   /// Merges until half of the index's clusters have gone.
   void merge_half(ClusterIndex& index) {
     const std::size_t clusters = index.clusters().size();
@@ -94,24 +118,29 @@ private:
 
   void merge(ClusterIndex& index, std::uint32_t slot_a, std::uint32_t slot_b) {
     if (index.at(slot_b).id < index.at(slot_a).id) std::swap(slot_a, slot_b);
-    const Cluster& a = index.at(slot_a);
-    const Cluster& b = index.at(slot_b);
+    index.replace(slot_a, slot_b, joined(index.at(slot_a), index.at(slot_b)));
+  }
+
+  /// Makes a node of the two; a has the lower id.
+  Cluster joined(const Cluster& a, const Cluster& b) {
     const TreeNode& node_a = nodes_[a.node];
     const TreeNode& node_b = nodes_[b.node];
-    Box box = a.box;
+    Box box = a.box, axes = a.axes;
     box.extend(b.box);
+    axes.extend(b.axes);
     const auto merged = static_cast<std::uint32_t>(nodes_.size());
     children_[merged] = {a.node, b.node};
     nodes_.push_back({box, node_a.intensity + node_b.intensity, 0,
                       (takes_first(a, b) ? node_a : node_b).representative,
-                      node_a.light_count + node_b.light_count});
-    index.replace(slot_a, slot_b, {box, a.weight + b.weight, a.id, merged});
+                      node_a.light_count + node_b.light_count, node_a.kinds | node_b.kinds});
+    return {box, axes, a.weight + b.weight, a.id, merged};
   }
 
   [[nodiscard]] bool takes_first(const Cluster& a, const Cluster& b) const {
     return hashed_uniform(seed_, a.id, b.id) * (a.weight + b.weight) < a.weight;
   }
 
+  const LightSet& lights_;
   std::uint64_t seed_;
   std::vector<TreeNode> nodes_; ///< the lights, then the merged clusters
   std::vector<Children> children_;

@@ -11,10 +11,10 @@ namespace {
 // Inner size of the room, metres: x to the right, z towards the viewer.
 constexpr float width = 4, height = 2.6F, depth = 4.2F;
 
-Material matt(float r, float g, float b) { return {{r, g, b}, {}, 0}; }
+Material matt(float r, float g, float b) { return {{r, g, b}, {}}; }
 
 Material shiny(float r, float g, float b, float shine, float exponent) {
-  return {{r, g, b}, glm::vec3(shine), exponent};
+  return diffuse_and_phong({r, g, b}, glm::vec3(shine), exponent);
 }
 
 void add_walls(ShapeBuilder& shapes) {
@@ -140,7 +140,7 @@ void add_shelf(ShapeBuilder& shapes) {
       {0.60F, 0.20F, 0.15F}, {0.20F, 0.35F, 0.55F}, {0.65F, 0.55F, 0.20F}, {0.25F, 0.45F, 0.25F}};
   Random random(7);
   for (int colour = 0; colour < 4; ++colour) {
-    shapes.use("book " + std::to_string(colour + 1), {covers[colour], {}, 0});
+    shapes.use("book " + std::to_string(colour + 1), {covers[colour], {}});
     for (int i = colour; i < 16; i += 4) {
       const float x = 3.08F + 0.05F * static_cast<float>(i);
       shapes.standing_box({x, 1.28F, 0.02F},

@@ -7,13 +7,20 @@
 
 namespace lightcuts {
 
-/// A room among boxes: `cloud?lights=N&blocks=B&material=diffuse|glossy&seed=S`.
+/// What a cloud's floor and blocks shine with.
+enum class Gloss : std::uint8_t { diffuse, phong, ward, ggx };
+/// The lights of a cloud; mixed: all four kinds in turn.
+enum class CloudLights : std::uint8_t { omni, oriented, spot, directional, mixed };
+
+/// A room with boxes in it under a cloud of lights; see builtin_scenes().
 struct CloudScene {
   static constexpr std::uint32_t max_blocks = 100'000;
 
   std::uint32_t lights = 10'000;
   std::uint32_t blocks = 40; ///< 0: the bare room, convex, in which nothing occludes
-  bool glossy = false;       ///< floor and blocks get a Phong lobe, exponent 50
+  Gloss gloss = Gloss::diffuse;
+  CloudLights kind = CloudLights::omni; ///< with directional ones the room is open
+  float clamp = 0;                      ///< LightSet::min_distance(), m
   std::uint64_t seed = 1;
 };
 

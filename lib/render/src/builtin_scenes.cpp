@@ -2,7 +2,9 @@
 #include <lightcuts/render/builtin_scenes.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -53,11 +55,29 @@ std::uint64_t whole_number(const Parameter& p, std::uint64_t least, std::uint64_
   return number;
 }
 
-bool is_glossy(const Parameter& p) {
-  if (p.value != "diffuse" && p.value != "glossy")
-    throw InputError(fmt::format("{}: parameter '{}' is '{}', expected diffuse or glossy", p.scene,
+/// The index of the parameter's value among these.
+template <std::size_t N>
+std::size_t choice(const Parameter& p, const std::array<const char*, N>& values) {
+  const auto found = std::find(values.begin(), values.end(), p.value);
+  if (found == values.end())
+    throw InputError(fmt::format("{}: parameter '{}' is '{}', expected one of {}", p.scene, p.name,
+                                 p.value, fmt::join(values, ", ")));
+  return std::size_t(found - values.begin());
+}
+
+float metres(const Parameter& p) {
+  float number = 0;
+  const char* end = p.value.data() + p.value.size();
+  const auto [stop, error] = std::from_chars(p.value.data(), end, number);
+  if (error != std::errc{} || stop != end || !(number > 0) || std::isinf(number))
+    throw InputError(fmt::format("{}: parameter '{}' is '{}', expected a number above 0", p.scene,
                                  p.name, p.value));
-  return p.value == "glossy";
+  return number;
+}
+
+Gloss gloss_of(const Parameter& p) {
+  const std::size_t index = choice<5>(p, {"diffuse", "phong", "ward", "ggx", "glossy"});
+  return index == 4 ? Gloss::phong : Gloss(index);
 }
 
 CloudScene cloud_of(const std::string& spec) {
@@ -68,12 +88,18 @@ CloudScene cloud_of(const std::string& spec) {
     else if (p.name == "blocks")
       cloud.blocks = static_cast<std::uint32_t>(whole_number(p, 0, CloudScene::max_blocks));
     else if (p.name == "material")
-      cloud.glossy = is_glossy(p);
+      cloud.gloss = gloss_of(p);
+    else if (p.name == "kind")
+      cloud.kind = CloudLights(choice<5>(p, {"omni", "oriented", "spot", "directional", "mixed"}));
+    else if (p.name == "clamp")
+      cloud.clamp = metres(p);
     else if (p.name == "seed")
       cloud.seed = whole_number(p, 0, std::numeric_limits<std::uint64_t>::max());
     else
-      throw InputError(fmt::format(
-          "{}: parameter '{}' is unknown; known: lights, blocks, material, seed", p.scene, p.name));
+      throw InputError(
+          fmt::format("{}: parameter '{}' is unknown; known: lights, blocks, material, "
+                      "kind, clamp, seed",
+                      p.scene, p.name));
   }
   return cloud;
 }
@@ -98,8 +124,9 @@ const std::vector<BuiltinScene>& builtin_scenes() {
       {"desk", "a desk lit by its monitor: 24 x 9 white omni lights; some surfaces glossy"},
       {"desk-red", "the same; the lights on the screen's diagonal are red"},
       {"bedroom", "a furnished room lit by 100 coloured omni lights; some surfaces glossy"},
-      {"cloud", "a room of blocks under a cloud of omni lights: "
-                "cloud?lights=10000&blocks=40&material=diffuse|glossy&seed=1"}};
+      {"cloud", "a room of blocks under a cloud of lights: cloud?lights=10000&blocks=40"
+                "&material=diffuse|phong|ward|ggx&kind=omni|oriented|spot|directional|mixed"
+                "&clamp=0.1&seed=1; glossy stands for phong; default: no clamp"}};
   return scenes;
 }
 

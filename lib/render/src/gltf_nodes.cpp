@@ -122,7 +122,8 @@ private:
     if (type != "point") return;
     const glm::dvec3 intensity =
         light.value("intensity", 1.0) * vector_of(light, "color", glm::dvec3(1));
-    found_.omni.push_back({glm::vec3(glm::dvec3(world[3])), glm::vec3(intensity)});
+    found_.omni.push_back(
+        {.position = glm::vec3(glm::dvec3(world[3])), .intensity = glm::vec3(intensity)});
   }
 
   std::string file_;

@@ -15,7 +15,7 @@ namespace lightcuts {
 /// keeps one node per light, finds nodes by names that need not be unique, and multiplies the
 /// field of view by the aspect ratio.
 struct GltfNodes {
-  std::vector<OmniLight> omni; ///< candela taken as W/sr
+  std::vector<Light> omni; ///< candela taken as W/sr
   std::size_t directional = 0, spot = 0, orthographic = 0;
   std::optional<Camera> camera; ///< the first perspective camera in the order of the nodes
 };

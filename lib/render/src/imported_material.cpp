@@ -28,15 +28,14 @@ float number(const aiMaterial& material, const char* key, unsigned type, unsigne
 
 Material from_mtl(const aiMaterial& source, const std::string& where,
                   std::vector<std::string>& notes) {
-  Material material{colour(source, AI_MATKEY_COLOR_DIFFUSE),
-                    colour(source, AI_MATKEY_COLOR_SPECULAR),
-                    number(source, AI_MATKEY_SHININESS, 0)};
-  if (std::isfinite(material.exponent) && material.exponent > Material::max_exponent) {
-    notes.push_back(fmt::format("{}: exponent {} is clamped to {}", where, material.exponent,
-                                Material::max_exponent));
-    material.exponent = Material::max_exponent;
+  float exponent = number(source, AI_MATKEY_SHININESS, 0);
+  if (std::isfinite(exponent) && exponent > Phong::max_exponent) {
+    notes.push_back(
+        fmt::format("{}: exponent {} is clamped to {}", where, exponent, Phong::max_exponent));
+    exponent = Phong::max_exponent;
   }
-  return material;
+  return diffuse_and_phong(colour(source, AI_MATKEY_COLOR_DIFFUSE),
+                           colour(source, AI_MATKEY_COLOR_SPECULAR), exponent);
 }
 
 float unit_factor(float value, const char* name, const std::string& where) {
@@ -45,16 +44,16 @@ float unit_factor(float value, const char* name, const std::string& where) {
   return value;
 }
 
+/// glTF 2.0, appendix B, with a diffuse part that does not vary with the angle.
 Material from_metallic_roughness(const aiMaterial& source, const std::string& where) {
   const glm::vec3 base = colour(source, AI_MATKEY_BASE_COLOR);
   const float metallic =
       unit_factor(number(source, AI_MATKEY_METALLIC_FACTOR, 1), "metallicFactor", where);
   const float roughness =
       unit_factor(number(source, AI_MATKEY_ROUGHNESS_FACTOR, 1), "roughnessFactor", where);
-  const float alpha = roughness * roughness;
-  const float exponent = 2 / (alpha * alpha) - 2; // infinite at 0
-  return {base * (1 - metallic) * (1 - dielectric), glm::mix(glm::vec3(dielectric), base, metallic),
-          std::clamp(exponent, 0.0F, Material::max_exponent)};
+  return {base * (1 - metallic) * (1 - dielectric),
+          CookTorrance{glm::mix(glm::vec3(dielectric), base, metallic),
+                       std::max(roughness * roughness, CookTorrance::min_alpha)}};
 }
 
 } // namespace

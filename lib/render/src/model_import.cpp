@@ -159,7 +159,7 @@ void read_meshes(const std::filesystem::path& file, bool is_gltf, Scene& scene) 
 
 /// Adds the lights; returns whether there is a camera.
 bool apply(const GltfNodes& nodes, const std::string& file, Scene& scene) {
-  for (const OmniLight& light : nodes.omni) {
+  for (const Light& light : nodes.omni) {
     try {
       scene.lights.add_omni(light.position, light.intensity);
     } catch (const InputError& error) {

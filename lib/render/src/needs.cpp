@@ -19,7 +19,7 @@ constexpr double cost_of_ray = 190;
 
 bool any_specular(const Scene& scene) {
   return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
-                     [](const Surface& s) { return s.material.has_specular(); });
+                     [](const Surface& s) { return s.material.is_glossy(); });
 }
 
 std::vector<VisiblePoint> pilot_points(const SceneView& view) {
@@ -72,6 +72,8 @@ double cost_of_sum(const SceneView& view, const std::vector<VisiblePoint>& point
 
 Needs find_needs(const SceneView& view, const LightTree& tree, const CutConfig& config) {
   Needs needs;
+  needs.kinds = view.scene().lights.kinds();
+  needs.clamp = view.scene().lights.min_distance() > 0;
   needs.specular = any_specular(view.scene());
   needs.occlusion = view.may_occlude();
   const auto points = pilot_points(view);

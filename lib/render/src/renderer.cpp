@@ -108,13 +108,18 @@ Rendering render_tiles(const SceneView& view, const RenderConfig& config, State&
   return result;
 }
 
-template <class Selector>
+template <template <class> class Rules>
 Rendering render_by_cuts(const SceneView& view, const LightTree& tree, const RenderConfig& config) {
   CutConfig cut = config.cut;
   cut.unoccluded = !view.may_occlude();
-  return render_tiles(
-      view, config, [&] { return Selector(tree, cut); },
-      [&](const VisiblePoint& p, Selector& select) { return light_by_cut(view, p, select); });
+  const auto render_with = [&](auto features) {
+    using Selector = BasicCutSelector<Rules<decltype(features)>>;
+    return render_tiles(
+        view, config, [&] { return Selector(tree, cut); },
+        [&](const VisiblePoint& p, Selector& select) { return light_by_cut(view, p, select); });
+  };
+  if (!config.specialise) return render_with(AnyFeatures());
+  return with_features(tree.lights(), view.may_occlude(), render_with);
 }
 
 } // namespace
@@ -138,9 +143,9 @@ std::optional<Method> method_named(std::string_view name) {
 }
 
 Rendering render(const SceneView& view, const LightTree& tree, const RenderConfig& config) {
-  if (config.method == Method::paper) return render_by_cuts<PaperCutSelector>(view, tree, config);
+  if (config.method == Method::paper) return render_by_cuts<BasicPaperRules>(view, tree, config);
   if (config.method == Method::lightcuts && config.use_tree)
-    return render_by_cuts<CutSelector>(view, tree, config);
+    return render_by_cuts<BasicLightcutsRules>(view, tree, config);
   return render_tiles(
       view, config, [] { return 0; },
       [&](const VisiblePoint& p, int /*no state*/) { return light_by_sum(view, p); });

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/scene_view.h>
 
+#include <lightcuts/render/bounds.h>
 #include <lightcuts/render/convexity.h>
 #include <lightcuts/render/surface_point.h>
+#include <lightcuts/rounding.h>
 
 namespace lightcuts {
 
 SceneView::SceneView(const Scene& scene)
     : scene_(&scene), occluder_(scene.mesh), camera_(scene.camera, scene.image_size),
-      may_occlude_(!encloses_lights_convexly(scene.mesh, scene.lights, scene.camera.position)) {}
+      may_occlude_(!encloses_lights_convexly(scene.mesh, scene.lights, scene.camera.position)),
+      out_of_scene_(round_down(2 * diagonal_length(scene_bounds(scene.mesh)))) {}
 
 std::optional<VisiblePoint> SceneView::at(glm::uvec2 pixel) const {
   const glm::vec3 direction = camera_.direction(pixel);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <glm/vec3.hpp>
+#include <lightcuts/angle.h>
 #include <lightcuts/box.h>
 #include <lightcuts/exact_dot.h>
 
@@ -68,53 +69,99 @@ inline PathSegment segment_at(const std::array<PathCoordinate, 3>& path, double 
   return segment;
 }
 
-/// sup over the box of max(0, n.q) / |q|^K, K = 1 or 3, q = y - x, y in the box; n needs no length.
+/// Where the path has its root: see stationary_point().
+struct PathRoot {
+  std::array<PathCoordinate, 3> path;
+  PathSegment segment; ///< the one with the root
+  double s = 0;
+};
+
+/// Whether n.q > 0 for some y of the box, q = y - x.
+[[nodiscard]] inline bool reaches_front(const glm::vec3& n, const glm::vec3& x, const Box& box) {
+  glm::vec3 top;
+  for (int i = 0; i < 3; ++i) top[i] = n[i] > 0 ? box.hi[i] : box.lo[i];
+  return dot_between(n, x, top) > 0;
+}
+
+/// Where n.q / |q|^K, K = 1 or 3, q = y - x, is largest over a box with some n.q > 0; n needs no
+/// length.
 ///
 /// {q : n.q >= g |q|^K} is convex for g > 0, so the objective is quasi-concave where it is
 /// positive, and its stationarity conditions over a box are q = clamp(s n, lo, hi) with
 ///   K s n.q = |q|^2 .
 /// K n.q(s) - |q(s)|^2 / s increases with s, so there is one root; it is found segment by segment
-/// of the piecewise linear path. n.q at the root is taken as |q|^2 / (K s), which cannot cancel.
-/// 0 if and only if n.q <= 0 all over the box; +inf if and only if the supremum is (K = 3, x in the
-/// box, and some q with n.q > 0).
+/// of the piecewise linear path. A segment with c = 0 means that the path starts at x, in the box:
+/// its root is s = 0.
 template <int K>
-[[nodiscard]] double sup_dot_over_power(const glm::vec3& n, const glm::vec3& x, const Box& box) {
+[[nodiscard]] PathRoot stationary_point(const glm::vec3& n, const glm::vec3& x, const Box& box) {
   static_assert(K == 1 || K == 3);
-  glm::vec3 top;
-  for (int i = 0; i < 3; ++i) top[i] = n[i] > 0 ? box.hi[i] : box.lo[i];
-  if (dot_between(n, x, top) <= 0) return 0;
-
-  std::array<PathCoordinate, 3> path{};
+  PathRoot root;
   for (int i = 0; i < 3; ++i)
-    path[i] = PathCoordinate::make(n[i], double(box.lo[i]) - x[i], double(box.hi[i]) - x[i]);
-
-  double s = 0;
+    root.path[i] = PathCoordinate::make(n[i], double(box.lo[i]) - x[i], double(box.hi[i]) - x[i]);
   for (;;) {
-    const PathSegment g = segment_at(path, s, n, x, box);
-    if (g.c == 0) {
-      if constexpr (K == 1) return std::sqrt(g.b);
-      return std::numeric_limits<double>::infinity();
-    }
+    const PathSegment& g = root.segment = segment_at(root.path, root.s, n, x, box);
+    if (g.c == 0) return root;
     double end = std::numeric_limits<double>::infinity();
-    for (const auto& p : path) {
-      if (p.enter > s) end = std::min(end, p.enter);
-      if (p.leave > s) end = std::min(end, p.leave);
+    for (const auto& p : root.path) {
+      if (p.enter > root.s) end = std::min(end, p.enter);
+      if (p.leave > root.s) end = std::min(end, p.leave);
     }
     const bool last = end == std::numeric_limits<double>::infinity();
     if (last || (K - 1) * g.b * end * end + K * g.a * end >= g.c) {
       if constexpr (K == 1) {
         // Rounding may have missed the root at the end of the segment before; the one of this
         // segment's line may then lie far ahead of it.
-        const double root = std::max(g.c / g.a, s);
-        return (g.a + root * g.b) / std::sqrt(g.c + root * g.b * root);
+        root.s = std::max(g.c / g.a, root.s);
+      } else {
+        const double d = std::sqrt(9 * g.a * g.a + 8 * g.b * g.c);
+        root.s = g.a > 0 ? 2 * g.c / (3 * g.a + d) : (d - 3 * g.a) / (4 * g.b);
       }
-      const double d = std::sqrt(9 * g.a * g.a + 8 * g.b * g.c);
-      const double root = g.a > 0 ? 2 * g.c / (3 * g.a + d) : (d - 3 * g.a) / (4 * g.b);
-      // In this order: root alone may exceed 10^160, where b is 0.
-      return 1 / (3 * root * std::sqrt(g.c + root * g.b * root));
+      return root;
     }
-    s = end;
+    root.s = end;
   }
+}
+
+/// sup over the box of max(0, n.q) / |q|^K. n.q at the root is taken as |q|^2 / (K s), which cannot
+/// cancel. 0 if and only if n.q <= 0 all over the box; +inf if and only if the supremum is (K = 3,
+/// x in the box, and some q with n.q > 0).
+template <int K>
+[[nodiscard]] double sup_dot_over_power(const glm::vec3& n, const glm::vec3& x, const Box& box) {
+  if (!reaches_front(n, x, box)) return 0;
+  const PathRoot root = stationary_point<K>(n, x, box);
+  const PathSegment& g = root.segment;
+  if (g.c == 0) {
+    if constexpr (K == 1) return std::sqrt(g.b);
+    return std::numeric_limits<double>::infinity();
+  }
+  if constexpr (K == 1)
+    return (g.a + root.s * g.b) / std::sqrt(g.c + root.s * g.b * root.s);
+  else // in this order: s alone may exceed 10^160, where b is 0
+    return 1 / (3 * root.s * std::sqrt(g.c + root.s * g.b * root.s));
+}
+
+/// The q with the largest n.q/|q| over a box with some n.q > 0; where that is approached at q = 0
+/// only, a direction.
+inline glm::dvec3 nearest_in_front(const glm::vec3& n, const glm::vec3& x, const Box& box) {
+  const PathRoot root = stationary_point<1>(n, x, box);
+  glm::dvec3 q;
+  for (int i = 0; i < 3; ++i) {
+    const PathCoordinate& p = root.path[i];
+    const bool moves = p.enter <= root.s && root.s < p.leave;
+    if (root.segment.c == 0)
+      q[i] = moves ? p.n : 0;
+    else
+      q[i] = moves ? std::clamp(root.s * p.n, p.low, p.high) : root.s < p.enter ? p.low : p.high;
+    if (n[i] < 0) q[i] = -q[i];
+  }
+  return q;
+}
+
+/// q = y - x for the corner whose bits say hi.
+inline glm::dvec3 corner(const Box& box, int bits, const glm::vec3& x) {
+  glm::dvec3 q;
+  for (int i = 0; i < 3; ++i) q[i] = double((bits >> i & 1) != 0 ? box.hi[i] : box.lo[i]) - x[i];
+  return q;
 }
 
 } // namespace detail
@@ -132,22 +179,45 @@ template <int K>
   return detail::sup_dot_over_power<3>(n, x, box);
 }
 
-/// min of max(0, n.q)/|q|^3 over the box, relative error box_bound_error: at a corner, because the
-/// objective is quasi-concave where it is positive. 0 if some q has n.q <= 0, or is 0.
-[[nodiscard]] inline double min_cosine_over_distance2(const glm::vec3& n, const glm::vec3& x,
-                                                      const Box& box) {
+/// The smallest angle between n and q = y - x, y in the box, q != 0; within angle_error.
+/// Where some n.q > 0 see stationary_point(). Else -n.q/|q| is quasi-concave, and least at a
+/// corner.
+[[nodiscard]] inline Angle min_angle(const glm::vec3& n, const glm::vec3& x, const Box& box) {
+  if (detail::reaches_front(n, x, box))
+    return angle_between(n, detail::nearest_in_front(n, x, box));
+  Angle best{-2, 0};
+  for (int bits = 0; bits < 8; ++bits) {
+    const glm::dvec3 q = detail::corner(box, bits, x);
+    if (q == glm::dvec3(0)) continue;
+    const Angle angle = angle_between(n, q);
+    if (angle.cos > best.cos) best = angle;
+  }
+  return best.cos < -1 ? Angle{} : best; // the box is x alone
+}
+
+/// min of max(0, n.q)/|q| falloff(|q|^2) over the box, relative error box_bound_error: at a corner,
+/// for a falloff that makes this quasi-concave where it is positive: 1, 1/|q|^2, and the smaller of
+/// such. 0 if some q has n.q <= 0, or is 0.
+template <class Falloff>
+[[nodiscard]] double min_cosine_times(const glm::vec3& n, const glm::vec3& x, const Box& box,
+                                      Falloff&& falloff) {
   double least = std::numeric_limits<double>::infinity();
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec3 y((corner & 1) != 0 ? box.hi.x : box.lo.x,
-                      (corner & 2) != 0 ? box.hi.y : box.lo.y,
-                      (corner & 4) != 0 ? box.hi.z : box.lo.z);
+  for (int bits = 0; bits < 8; ++bits) {
+    const glm::vec3 y((bits & 1) != 0 ? box.hi.x : box.lo.x, (bits & 2) != 0 ? box.hi.y : box.lo.y,
+                      (bits & 4) != 0 ? box.hi.z : box.lo.z);
     const double n_dot_q = dot_between(n, x, y);
     if (n_dot_q <= 0) return 0;
     double length2 = 0;
     for (int i = 0; i < 3; ++i) length2 += (double(y[i]) - x[i]) * (double(y[i]) - x[i]);
-    least = std::min(least, n_dot_q / (length2 * std::sqrt(length2)));
+    least = std::min(least, n_dot_q / std::sqrt(length2) * falloff(length2));
   }
   return least;
+}
+
+/// min of max(0, n.q)/|q|^3 over the box; see min_cosine_times().
+[[nodiscard]] inline double min_cosine_over_distance2(const glm::vec3& n, const glm::vec3& x,
+                                                      const Box& box) {
+  return min_cosine_times(n, x, box, [](double length2) { return 1 / length2; });
 }
 
 /// min |q|^2 over the box, 0 if and only if x lies in it; relative error 2^-50.

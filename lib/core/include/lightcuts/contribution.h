@@ -1,49 +1,62 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 #include <numbers>
+#include <variant>
 
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <lightcuts/exact_dot.h>
-#include <lightcuts/rounding.h>
+#include <lightcuts/emission.h>
+#include <lightcuts/features.h>
+#include <lightcuts/light.h>
 #include <lightcuts/shading_point.h>
+#include <lightcuts/sight.h>
 
 namespace lightcuts {
 
-/// Relative error of transfer(), where the result is above 10^-150: power(), two dot products, a
-/// few roundings.
-inline constexpr double transfer_error = 0x1p-28;
+/// Relative error of transfer(), where the result is above 10^-150: the lobe, dot products, a few
+/// roundings.
+inline constexpr double transfer_error = 0x1p-26;
 
-/// The factor of the Phong lobe without its cosine power: (exponent + 2) / (2 pi).
-[[nodiscard]] inline double phong_normalisation(float exponent) {
-  return (double(exponent) + 2) * (0.5 * std::numbers::inv_pi);
+/// How intensity falls off with the distance: 1/max(d^2, min_distance^2), 1 for directional lights.
+template <class Features>
+[[nodiscard]] double falloff(LightKind kind, double distance2, double min_distance2) {
+  if (Features::known(kind) == LightKind::directional) return 1;
+  if constexpr (Features::clamps) distance2 = std::max(distance2, min_distance2);
+  return 1 / distance2;
 }
 
-/// Radiance per unit of radiant intensity, 1/m^2 sr, that an unoccluded omni light at y sends to
-/// the viewer of `point`: material(l) max(0, n.l) / |q|^2, q = y - x, l = q/|q|. A light exactly at
-/// the shading point has no direction and sends 0. Never NaN or negative.
-[[nodiscard]] inline glm::dvec3 transfer(const ShadingPoint& point, const glm::vec3& y) {
-  const glm::vec3& x = point.position();
-  const double n_dot_q = dot_between(point.normal(), x, y);
-  if (n_dot_q <= 0) return glm::dvec3(0);
-  const glm::dvec3 q = glm::dvec3(y) - glm::dvec3(x);
-  const double distance2 = q.x * q.x + q.y * q.y + q.z * q.z;
-  const double distance = std::sqrt(distance2);
-  const double geometric = n_dot_q * point.inverse_normal_length() / (distance2 * distance);
+/// Radiance that reaches the viewer of a point by way of `sight`, per unit of intensity that is
+/// sent there: (diffuse/pi + lobe(l)) n.l falloff. Something exactly at the point has no direction
+/// and sends 0. Never NaN or negative.
+template <class Features, class OneLobe>
+[[nodiscard]] glm::dvec3 reflected(const ShadingPoint& point, const OneLobe& lobe,
+                                   const Sight& sight, LightKind kind, double min_distance2) {
+  if (sight.below_horizon()) return glm::dvec3(0);
+  const glm::dvec3 brdf =
+      glm::dvec3(point.material().diffuse) * std::numbers::inv_pi + lobe.evaluate(sight);
+  return brdf * (sight.cosine() * falloff<Features>(kind, sight.distance2(), min_distance2));
+}
 
-  const Material& material = point.material();
-  glm::dvec3 brdf = glm::dvec3(material.diffuse) * std::numbers::inv_pi;
-  if (material.has_specular()) {
-    const double r_dot_q = dot_between(point.mirror(), x, y);
-    if (r_dot_q > 0) {
-      const double cosine = r_dot_q * point.inverse_mirror_length() / distance;
-      brdf += glm::dvec3(material.specular) *
-              (phong_normalisation(material.exponent) * power(cosine, material.exponent));
-    }
-  }
-  return brdf * geometric;
+/// Radiance per unit of intensity that the unoccluded light sends to the viewer of the point; lobe
+/// is that of the point's material.
+template <class Features, class OneLobe>
+[[nodiscard]] glm::dvec3 transfer(const ShadingPoint& point, const OneLobe& lobe,
+                                  const Light& light, double min_distance2) {
+  const Sight sight(point, Features::known(light.kind), light.position);
+  glm::dvec3 result = reflected<Features>(point, lobe, sight, light.kind, min_distance2);
+  if constexpr (Features::has_axes) result *= emission(light, point.position());
+  return result;
+}
+
+/// The same, whatever the light and the material.
+[[nodiscard]] inline glm::dvec3 transfer(const ShadingPoint& point, const Light& light,
+                                         float min_distance = 0) {
+  return std::visit(
+      [&](const auto& lobe) {
+        return transfer<AnyFeatures>(point, lobe, light, double(min_distance) * min_distance);
+      },
+      point.material().lobe);
 }
 
 } // namespace lightcuts

@@ -5,12 +5,15 @@
 #include <cstdint>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/certified_error.h>
+#include <lightcuts/cluster_estimate.h>
 #include <lightcuts/contribution.h>
 #include <lightcuts/error_bound.h>
+#include <lightcuts/features.h>
 #include <lightcuts/input_error.h>
 #include <lightcuts/light_tree.h>
 #include <lightcuts/rounding.h>
@@ -60,20 +63,24 @@ struct Cut {
 };
 
 /// The parts of the algorithm that decide its correctness, apart so that other methods, and the
-/// oracle's broken ones, can put their own in their place.
-struct LightcutsRules {
+/// oracle's broken ones, can put their own in their place. lobe is that of the point's material.
+template <class TheFeatures>
+struct BasicLightcutsRules {
+  using Features = TheFeatures;
+
   /// Upper bound of the cluster's contribution.
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
-    return contribution_bound(tree.node(node), point);
+  template <class OneLobe>
+  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
+                         const OneLobe& lobe) {
+    return contribution_bound<Features>(tree, node, point, lobe);
   }
   /// What the cluster is taken to contribute if its representative is seen; between 0 and `bound`
-  /// (of a leaf: exact). Evaluated at the centroid of intensity, not at the representative: the
-  /// error of first order cancels, and for diffuse surfaces that of second.
+  /// (of a leaf: exact). Evaluated at the centroid of intensity, not at the representative.
+  template <class OneLobe>
   static glm::dvec3 estimate(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                             const glm::vec3& bound) {
-    const TreeNode& cluster = tree.node(node);
-    const glm::dvec3 e = cluster_transfer(point, tree.moments(node)) * cluster.intensity;
-    return cluster.is_leaf() ? e : glm::min(e, glm::dvec3(bound));
+                             const OneLobe& lobe, const glm::vec3& bound) {
+    const glm::dvec3 e = cluster_estimate<Features>(tree, node, point, lobe);
+    return tree.node(node).is_leaf() ? e : glm::min(e, glm::dvec3(bound));
   }
   /// Whether a cluster with the first key is refined before one with the second.
   static bool refined_before(double key, double other) { return key > other; }
@@ -84,6 +91,9 @@ struct LightcutsRules {
   }
 };
 
+/// For any scene.
+using LightcutsRules = BasicLightcutsRules<AnyFeatures>;
+
 /// Picks the cut of a light tree for one shading point after another (Walter et al. 2005, section
 /// 3.3). Starts at the root; replaces the cluster of the largest relative bound by its two children
 /// until every cluster's bound is, in each channel, at most
@@ -91,7 +101,8 @@ struct LightcutsRules {
 /// or max_size is reached. What else is pinned down:
 /// - a leaf has bound 0; a channel without light has bound 0;
 /// - at a dark point (total 0) refinement ends once every bound is at most black_level;
-/// - a cluster is occluded if its representative is; one below the horizon counts as seen;
+/// - a cluster is occluded if its representative is, a mixed one as a whole; one below the horizon
+///   counts as seen;
 /// - no node and no light's visibility is evaluated twice for one point;
 /// - the test is made on the total summed anew over the cut, so that nothing drifts;
 /// - bounds are compared relative to the total as it was when the size last doubled; between equal
@@ -113,15 +124,12 @@ public:
   Cut operator()(const ShadingPoint& point, Visible&& visible) {
     start();
     if (tree_->empty()) return {};
-    add_root(point, visible);
-    while (clusters_.size() < config_.max_size && !done()) {
-      refine(point, visible);
-      if (clusters_.size() >= 2 * keyed_at_size_) rekey();
-    }
+    std::visit([&](const auto& lobe) { select(point, lobe, visible); }, point.material().lobe);
     return finished(point);
   }
 
 private:
+  using Features = typename Rules::Features;
   using Keyed = std::pair<double, std::uint32_t>; ///< key, index into clusters_
 
   static bool after(const Keyed& a, const Keyed& b) {
@@ -136,29 +144,41 @@ private:
     shadow_rays_ = 0;
   }
 
-  template <class Visible>
-  void add_root(const ShadingPoint& point, Visible& visible) {
-    clusters_.push_back(evaluated(0, sees_representative(0, point, visible), point));
+  template <class OneLobe, class Visible>
+  void select(const ShadingPoint& point, const OneLobe& lobe, Visible& visible) {
+    clusters_.push_back(evaluated(0, sees_representative(0, point, visible), point, lobe));
     rekey();
+    while (clusters_.size() < config_.max_size && !done()) {
+      refine(point, lobe, visible);
+      if (clusters_.size() >= 2 * keyed_at_size_) rekey();
+    }
   }
 
-  CutCluster evaluated(std::uint32_t node, bool is_visible, const ShadingPoint& point) const {
+  template <class OneLobe>
+  CutCluster evaluated(std::uint32_t node, bool is_visible, const ShadingPoint& point,
+                       const OneLobe& lobe) const {
     const bool leaf = tree_->node(node).is_leaf();
-    const glm::vec3 bound = leaf ? glm::vec3(0) : Rules::bound(*tree_, node, point);
+    const glm::vec3 bound = leaf ? glm::vec3(0) : Rules::bound(*tree_, node, point, lobe);
     glm::dvec3 estimate(0);
     if (is_visible && (leaf || bound != glm::vec3(0)))
-      estimate = Rules::estimate(*tree_, node, point, bound);
+      estimate = Rules::estimate(*tree_, node, point, lobe, bound);
     return {node, is_visible, estimate, bound};
+  }
+
+  [[nodiscard]] bool unoccluded() const {
+    if constexpr (Features::occludes) return config_.unoccluded;
+    return true;
   }
 
   template <class Visible>
   bool sees_representative(std::uint32_t node, const ShadingPoint& point, Visible& visible) {
-    if (config_.unoccluded) return true;
-    const std::uint32_t light = tree_->node(node).representative;
-    const glm::vec3& y = tree_->lights()[light].position;
-    if (dot_between(point.normal(), point.position(), y) <= 0) return true;
+    if (unoccluded()) return true;
+    const std::uint32_t index = tree_->node(node).representative;
+    const Light& light = tree_->lights()[index];
+    const glm::vec3 from = viewed_from(Features::known(light.kind), point.position());
+    if (dot_between(point.normal(), from, light.position) <= 0) return true;
     ++shadow_rays_;
-    return visible(light);
+    return visible(index);
   }
 
   bool done() {
@@ -170,8 +190,8 @@ private:
 
   /// Replaces the first cluster of the queue by its children; the one that has its representative
   /// takes its place, its visibility known.
-  template <class Visible>
-  void refine(const ShadingPoint& point, Visible& visible) {
+  template <class OneLobe, class Visible>
+  void refine(const ShadingPoint& point, const OneLobe& lobe, Visible& visible) {
     std::pop_heap(queue_.begin(), queue_.end(), after);
     const std::uint32_t place = queue_.back().second;
     queue_.pop_back();
@@ -182,8 +202,8 @@ private:
 
     const CutCluster& parent_cluster = clusters_[place];
     total_ -= parent_cluster.estimate;
-    clusters_[place] = evaluated(heir, parent_cluster.visible, point);
-    clusters_.push_back(evaluated(other, sees_representative(other, point, visible), point));
+    clusters_[place] = evaluated(heir, parent_cluster.visible, point, lobe);
+    clusters_.push_back(evaluated(other, sees_representative(other, point, visible), point, lobe));
     total_ += clusters_[place].estimate + clusters_.back().estimate;
     push(place);
     push(static_cast<std::uint32_t>(clusters_.size() - 1));
@@ -241,8 +261,8 @@ private:
   /// occluded.
   [[nodiscard]] glm::dvec3 error_bound(const CutCluster& c, const ShadingPoint& point) const {
     const glm::dvec3 high(c.bound);
-    if (!config_.unoccluded || c.bound == glm::vec3(0)) return high;
-    const glm::dvec3 low(contribution_lower_bound(tree_->node(c.node), point));
+    if (!unoccluded() || c.bound == glm::vec3(0)) return high;
+    const glm::dvec3 low(contribution_lower_bound<Features>(*tree_, c.node, point));
     const glm::dvec3 bound = glm::max(c.estimate - low, high - c.estimate);
     return glm::min(high, bound);
   }
@@ -282,6 +302,8 @@ private:
   std::uint32_t shadow_rays_ = 0;
 };
 
+/// For any scene; with_features() finds a narrower BasicCutSelector<BasicLightcutsRules<Features>>,
+/// which gives the same bits sooner.
 using CutSelector = BasicCutSelector<LightcutsRules>;
 
 } // namespace lightcuts

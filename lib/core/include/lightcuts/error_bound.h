@@ -2,11 +2,16 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <variant>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/box_bounds.h>
+#include <lightcuts/box_sight.h>
+#include <lightcuts/cluster_emission.h>
 #include <lightcuts/contribution.h>
+#include <lightcuts/features.h>
 #include <lightcuts/light_tree.h>
 #include <lightcuts/rounding.h>
 #include <lightcuts/shading_point.h>
@@ -19,77 +24,149 @@ inline constexpr double bound_excess = 0x1p-22;
 
 namespace detail {
 
-// Makes up for the errors of the box bounds, power(), and some roundings.
+// Makes up for the errors of the box bounds, the lobes, and some roundings.
 inline constexpr double bound_inflation = 1 + 0x1p-26;
 static_assert(4 * box_bound_error + power_error + 0x1p-48 < 0x1p-26);
 
-/// intensity (diffuse/pi + specular (m+2)/(2 pi) max cos(r,l)^m) geometric, rounded up.
-inline glm::vec3 bound_with(double geometric, const TreeNode& cluster, const ShadingPoint& point) {
-  if (geometric == 0) return glm::vec3(0);
-  const Material& material = point.material();
-  double lobe = 0;
-  if (material.has_specular()) {
-    const double cosine = max_cosine(point.mirror(), point.position(), cluster.box);
-    if (cosine > 0)
-      // power() underflows where the real value is positive. This stays above 0 times the smallest
-      // reflectance and intensity (2^-298), and below 2^-149 times the largest of all the rest
-      // (2^602: lobe 2^17, reflectance 2^128, 2^31 lights of 2^128, 1/|q|^2 2^298).
-      lobe = phong_normalisation(material.exponent) *
-             std::max(power(cosine * point.inverse_mirror_length(), material.exponent), 0x1p-760);
-  }
+/// Suprema over the box, n about unit, q = y - from.
+struct Reach {
+  double cosine_falloff; ///< of n.l falloff, in one or as a product; times the length of n
+  double falloff;        ///< of the falloff alone
+};
+
+/// Tight: both factors in one.
+template <class Features>
+Reach joint_reach(LightKind kind, const glm::vec3& n, const glm::vec3& from, const Box& box,
+                  double min_distance2) {
+  if (Features::known(kind) == LightKind::directional) return {max_cosine(n, from, box), 1};
+  Reach reach{max_cosine_over_distance2(n, from, box), 1 / lightcuts::min_distance2(from, box)};
+  if constexpr (Features::clamps)
+    if (min_distance2 > 0) {
+      reach.falloff = std::min(reach.falloff, 1 / min_distance2);
+      // The clamped one is the smaller of two, and so is its supremum at most.
+      if (reach.cosine_falloff > 0)
+        reach.cosine_falloff =
+            std::min(reach.cosine_falloff, max_cosine(n, from, box) / min_distance2);
+    }
+  return reach;
+}
+
+/// As the paper has it: the product of separate maxima.
+template <class Features>
+Reach product_reach(LightKind kind, const glm::vec3& n, const glm::vec3& from, const Box& box,
+                    double min_distance2) {
+  const double cosine = max_cosine(n, from, box);
+  if (Features::known(kind) == LightKind::directional) return {cosine, 1};
+  double nearest2 = lightcuts::min_distance2(from, box);
+  if constexpr (Features::clamps) nearest2 = std::max(nearest2, min_distance2);
+  return {cosine == 0 ? 0 : cosine / nearest2, 1 / nearest2};
+}
+
+/// intensity emission (diffuse/pi max(n.l falloff) + max(lobe n.l falloff)), rounded up.
+template <class Features, class OneLobe>
+glm::vec3 bound_of_cluster(const LightTree& tree, std::uint32_t i, const ShadingPoint& point,
+                           const OneLobe& lobe, const Reach& reach, const glm::vec3& from) {
+  const TreeNode& cluster = tree.node(i);
+  if (reach.cosine_falloff == 0) return glm::vec3(0);
+  const double geometric = reach.cosine_falloff * point.inverse_normal_length() * bound_inflation;
+  double emitted = 1;
+  if constexpr (Features::has_axes)
+    if (Features::uniform || (cluster.kinds & kinds_with_axis) != 0) {
+      emitted = max_emission(Features::known(cluster.kind()), tree.emission(i), from, cluster.box);
+      if (emitted == 0) return glm::vec3(0);
+    }
+  const glm::dvec3 shine =
+      lobe.bound(BoxSight{point, from, cluster.box, geometric, reach.falloff * bound_inflation});
   glm::vec3 bound;
   for (int c = 0; c < 3; ++c) {
-    const double factor =
-        (material.diffuse[c] * std::numbers::inv_pi + material.specular[c] * lobe) *
-        cluster.intensity[c];
+    const double diffuse = point.material().diffuse[c] * std::numbers::inv_pi;
     // 0 * inf is 0 here, and a product of positive numbers is positive.
-    bound[c] = factor == 0 ? 0.0F : round_up(std::max(factor * geometric, 0x1p-1000));
+    const double reflected = (diffuse == 0 ? 0 : diffuse * geometric) + shine[c];
+    const double intensity = cluster.intensity[c] * emitted;
+    bound[c] = reflected == 0 || intensity == 0
+                   ? 0.0F
+                   : round_up(std::max(reflected * intensity, 0x1p-1000));
   }
   return bound;
+}
+
+/// The sum over children for a mixed cluster, or what one_kind() makes of another.
+template <class Features, class OneKind>
+glm::dvec3 over_kinds(const LightTree& tree, std::uint32_t i, const OneKind& one_kind) {
+  if constexpr (!Features::uniform) {
+    const TreeNode& node = tree.node(i);
+    if (node.is_mixed()) [[unlikely]]
+      return over_kinds<Features>(tree, node.first_child, one_kind) +
+             over_kinds<Features>(tree, node.first_child + 1, one_kind);
+  }
+  return one_kind(i);
+}
+
+/// Per channel.
+inline glm::vec3 rounded_up(const glm::dvec3& v) {
+  return {round_up(v.x), round_up(v.y), round_up(v.z)};
 }
 
 } // namespace detail
 
 /// Upper bound, per channel, of the cluster's contribution to the radiance seen at the point,
 /// whatever is visible:
-///   intensity (diffuse/pi + specular (m+2)/(2 pi) max cos(r,l)^m) max(n.l / |q|^2),
-/// each maximum over the cluster's box. Since 0 <= truth <= bound, it bounds the error of any
-/// estimate between 0 and it, too (Walter et al. 2005, section 4.1, with exact maxima). Rounded up:
-/// never below the supremum in real numbers. Never NaN; +inf only where the supremum is, or where
-/// it exceeds the largest float.
-[[nodiscard]] inline glm::vec3 contribution_bound(const TreeNode& cluster,
-                                                  const ShadingPoint& point) {
-  return detail::bound_with(
-      max_cosine_over_distance2(point.normal(), point.position(), cluster.box) *
-          point.inverse_normal_length() * detail::bound_inflation,
-      cluster, point);
+///   intensity max(emission) (diffuse/pi max(n.l falloff) + max(lobe n.l falloff)),
+/// each maximum over the cluster's box: that of n.l/|q|^2 in one and exact, those of the lobe and
+/// of emission as stated there. A mixed cluster: the sum of its children's. Since 0 <= truth <=
+/// bound, it bounds the error of any estimate between 0 and it, too (Walter et al. 2005,
+/// section 4.1). Rounded up: never below the supremum in real numbers. Never NaN; +inf only where
+/// the supremum is, or where it exceeds the largest float.
+template <class Features = AnyFeatures, class OneLobe>
+[[nodiscard]] glm::vec3 contribution_bound(const LightTree& tree, std::uint32_t node,
+                                           const ShadingPoint& point, const OneLobe& lobe) {
+  return detail::rounded_up(detail::over_kinds<Features>(tree, node, [&](std::uint32_t i) {
+    const LightKind kind = tree.node(i).kind();
+    const glm::vec3 from = viewed_from(Features::known(kind), point.position());
+    const auto reach = detail::joint_reach<Features>(kind, point.normal(), from, tree.node(i).box,
+                                                     tree.min_distance2());
+    return glm::dvec3(detail::bound_of_cluster<Features>(tree, i, point, lobe, reach, from));
+  }));
 }
 
-/// The same with separate maxima of n.l and 1/|q|^2, as the paper has it: looser.
-[[nodiscard]] inline glm::vec3 product_bound(const TreeNode& cluster, const ShadingPoint& point) {
-  const glm::vec3& x = point.position();
-  const double cosine = max_cosine(point.normal(), x, cluster.box);
-  if (cosine == 0) return glm::vec3(0);
-  return detail::bound_with(cosine * point.inverse_normal_length() * detail::bound_inflation /
-                                min_distance2(x, cluster.box),
-                            cluster, point);
+/// The same with separate maxima of n.l and the falloff, as the paper has it: looser.
+template <class Features = AnyFeatures, class OneLobe>
+[[nodiscard]] glm::vec3 product_bound(const LightTree& tree, std::uint32_t node,
+                                      const ShadingPoint& point, const OneLobe& lobe) {
+  return detail::rounded_up(detail::over_kinds<Features>(tree, node, [&](std::uint32_t i) {
+    const LightKind kind = tree.node(i).kind();
+    const glm::vec3 from = viewed_from(Features::known(kind), point.position());
+    const auto reach = detail::product_reach<Features>(kind, point.normal(), from, tree.node(i).box,
+                                                       tree.min_distance2());
+    return glm::dvec3(detail::bound_of_cluster<Features>(tree, i, point, lobe, reach, from));
+  }));
 }
 
-/// Lower bound of the cluster's contribution where nothing occludes: intensity diffuse/pi
-/// min(n.l/|q|^2) over the cluster's box, the lobe left out. Rounded down: never above the infimum
-/// in real numbers.
-[[nodiscard]] inline glm::vec3 contribution_lower_bound(const TreeNode& cluster,
-                                                        const ShadingPoint& point) {
+/// Lower bound of the cluster's contribution where nothing occludes: intensity min(emission)
+/// diffuse/pi min(n.l falloff) over the cluster's box, the lobe left out. Rounded down: never above
+/// the infimum in real numbers.
+template <class Features = AnyFeatures>
+[[nodiscard]] glm::vec3 contribution_lower_bound(const LightTree& tree, std::uint32_t node,
+                                                 const ShadingPoint& point) {
   constexpr double deflate = 1 - 0x1p-26; // see contribution_bound()
-  const double geometric =
-      min_cosine_over_distance2(point.normal(), point.position(), cluster.box) *
-      point.inverse_normal_length() * deflate;
-  glm::vec3 bound(0);
-  if (geometric == 0) return bound;
-  for (int c = 0; c < 3; ++c)
-    bound[c] = round_down(point.material().diffuse[c] * std::numbers::inv_pi *
-                          cluster.intensity[c] * geometric);
-  return bound;
+  const glm::dvec3 bound = detail::over_kinds<Features>(tree, node, [&](std::uint32_t i) {
+    const TreeNode& cluster = tree.node(i);
+    const LightKind kind = Features::known(cluster.kind());
+    const glm::vec3 from = viewed_from(kind, point.position());
+    double geometric =
+        min_cosine_times(point.normal(), from, cluster.box,
+                         [&](double length2) {
+                           return falloff<Features>(kind, length2, tree.min_distance2());
+                         }) *
+        point.inverse_normal_length() * deflate;
+    if constexpr (Features::has_axes)
+      if (geometric > 0 && (only(kind) & kinds_with_axis) != 0)
+        geometric *= min_emission(kind, tree.emission(i), from, cluster.box) * deflate;
+    return geometric == 0 ? glm::dvec3(0)
+                          : glm::dvec3(point.material().diffuse) * std::numbers::inv_pi *
+                                cluster.intensity * geometric;
+  });
+  return {round_down(bound.x), round_down(bound.y), round_down(bound.z)};
 }
 
 } // namespace lightcuts

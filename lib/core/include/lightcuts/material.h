@@ -1,26 +1,39 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <variant>
+
 #include <glm/vec3.hpp>
+#include <lightcuts/cook_torrance.h>
+#include <lightcuts/phong.h>
+#include <lightcuts/ward.h>
 
 namespace lightcuts {
 
-/// Lambert plus normalised Phong (Lafortune & Willems 1994):
-///   f(l) = diffuse/pi + specular (exponent+2)/(2 pi) cos(r,l)^exponent  where cos(r,l) > 0,
-/// r being the viewer's direction mirrored at the normal; the second term is 0 elsewhere.
-struct Material {
-  static constexpr float max_exponent = 0x1p20F;
-
-  glm::vec3 diffuse{0};  ///< reflectance, >= 0; energy is conserved while diffuse + specular <= 1
-  glm::vec3 specular{0}; ///< reflectance of the lobe, >= 0
-  float exponent = 0;    ///< in [0, max_exponent]
-
-  [[nodiscard]] bool has_specular() const {
-    return specular.x > 0 || specular.y > 0 || specular.z > 0;
-  }
+/// Of a surface that is diffuse only.
+struct NoLobe {
+  void validate() const {}
+  [[nodiscard]] glm::dvec3 evaluate(const Sight& /*sight*/) const { return glm::dvec3(0); }
+  [[nodiscard]] glm::dvec3 bound(const BoxSight& /*box*/) const { return glm::dvec3(0); }
 };
 
-/// Throws InputError, naming the field, where a value lies outside the domain given above.
+/// The glossy lobes there are. A new one is a type with validate(), evaluate() (f, 1/sr per
+/// channel) and bound() (of f n.l falloff over a box), in a file of its own and in this line.
+using Lobe = std::variant<NoLobe, Phong, Ward, CookTorrance>;
+
+/// How a surface reflects: f(l) = diffuse/pi + lobe(l), 1/sr per channel.
+struct Material {
+  glm::vec3 diffuse{0}; ///< reflectance, >= 0; energy is conserved while both sum to at most 1
+  Lobe lobe;
+
+  [[nodiscard]] bool is_glossy() const { return !std::holds_alternative<NoLobe>(lobe); }
+};
+
+/// Throws InputError, naming the field, where a value lies outside its domain.
 void validate(const Material& material);
+
+/// Lambert and a Phong lobe, which is left out where it is black.
+[[nodiscard]] Material diffuse_and_phong(const glm::vec3& diffuse, const glm::vec3& specular,
+                                         float exponent);
 
 } // namespace lightcuts

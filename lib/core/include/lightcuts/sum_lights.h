@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/contribution.h>
+#include <lightcuts/features.h>
 #include <lightcuts/light_set.h>
 
 namespace lightcuts {
@@ -20,13 +22,19 @@ struct LightSum {
 template <class Visible>
 [[nodiscard]] LightSum sum_lights(const LightSet& lights, const ShadingPoint& point,
                                   Visible&& visible) {
+  const double min_distance2 = double(lights.min_distance()) * lights.min_distance();
   LightSum sum;
-  for (std::uint32_t i = 0; i < lights.size(); ++i) {
-    const glm::dvec3 open = transfer(point, lights[i].position);
-    if (open == glm::dvec3(0)) continue;
-    ++sum.shadow_rays;
-    if (visible(i)) sum.radiance += open * glm::dvec3(lights[i].intensity);
-  }
+  const auto add_all = [&](auto features, const auto& lobe) {
+    for (std::uint32_t i = 0; i < lights.size(); ++i) {
+      const glm::dvec3 open = transfer<decltype(features)>(point, lobe, lights[i], min_distance2);
+      if (open == glm::dvec3(0)) continue;
+      ++sum.shadow_rays;
+      if (visible(i)) sum.radiance += open * glm::dvec3(lights[i].intensity);
+    }
+  };
+  with_features(lights, true, [&](auto features) {
+    std::visit([&](const auto& lobe) { add_all(features, lobe); }, point.material().lobe);
+  });
   return sum;
 }
 

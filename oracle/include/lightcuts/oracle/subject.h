@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/cut_selector.h>
@@ -44,9 +45,11 @@ public:
                                               const ShadingPoint& point, const glm::vec3& bound,
                                               std::span<const char> visible) {
   const LightTree& tree = subject.tree();
-  const std::uint32_t light = tree.node(node).representative;
-  const bool seen = visible[light] != 0 || dot_between(point.normal(), point.position(),
-                                                       tree.lights()[light].position) <= 0;
+  const std::uint32_t index = tree.node(node).representative;
+  const Light& light = tree.lights()[index];
+  const bool seen =
+      visible[index] != 0 ||
+      dot_between(point.normal(), viewed_from(light.kind, point.position()), light.position) <= 0;
   return seen ? subject.estimate(node, point, bound) : glm::dvec3(0);
 }
 
@@ -60,11 +63,14 @@ public:
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] const LightTree& tree() const override { return *tree_; }
   [[nodiscard]] glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) const override {
-    return Rules::bound(*tree_, node, point);
+    return std::visit([&](const auto& lobe) { return Rules::bound(*tree_, node, point, lobe); },
+                      point.material().lobe);
   }
   [[nodiscard]] glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
                                     const glm::vec3& bound) const override {
-    return Rules::estimate(*tree_, node, point, bound);
+    return std::visit(
+        [&](const auto& lobe) { return Rules::estimate(*tree_, node, point, lobe, bound); },
+        point.material().lobe);
   }
   [[nodiscard]] std::unique_ptr<Selector> selector(const CutConfig& config) const override {
     return std::make_unique<RulesSelector>(*tree_, config);

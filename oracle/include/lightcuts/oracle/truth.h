@@ -25,14 +25,14 @@ using Wide = std::array<long double, 3>;
 /// of a cosine (2^20 times its error of a few ulps) dominates.
 inline constexpr long double truth_error = 0x1p23L * std::numeric_limits<long double>::epsilon();
 
-/// Unoccluded radiance that light i of the set sends to the viewer of `point`, written anew from
-/// the definition (see transfer() and OmniLight) in long double, with a dot product that does not
-/// cancel.
-[[nodiscard]] Wide contribution(const OmniLight& light, const ShadingPoint& point);
+/// Unoccluded radiance that the light sends to the viewer of `point`, written anew from the
+/// definitions (Light, LightKind, Material and its lobes) in long double, with a dot product that
+/// does not cancel. min_distance as LightSet has it.
+[[nodiscard]] Wide contribution(const Light& light, const ShadingPoint& point, float min_distance);
 
 /// The same in 700-bit arithmetic, one channel: what decides where long double cannot.
-[[nodiscard]] Exact exact_contribution(const OmniLight& light, const ShadingPoint& point,
-                                       int channel);
+[[nodiscard]] Exact exact_contribution(const Light& light, const ShadingPoint& point,
+                                       float min_distance, int channel);
 
 /// The true contributions of all clusters of a tree at one shading point, in one bottom-up pass.
 /// Keeps its memory from one point to the next.

@@ -13,8 +13,8 @@ namespace lightcuts {
 /// up), normals where present, one surface per material in use, glTF's omni ("point") lights with
 /// candela taken as W/sr, glTF's first perspective camera. Colours are the materials' factors.
 /// - MTL: diffuse Kd, specular Ks, exponent Ns, emission Ke. Ka, illum and opacity do nothing.
-/// - glTF: metallic-roughness as Phong: diffuse = base (1 - metallic)(1 - 0.04), specular =
-///   mix(0.04, base, metallic), exponent = 2/alpha^2 - 2 with alpha = roughness^2.
+/// - glTF: metallic-roughness as Cook-Torrance: diffuse = base (1 - metallic)(1 - 0.04), f0 =
+///   mix(0.04, base, metallic), alpha = roughness^2, at least 2^-14.
 /// Whatever was left out, made up or clamped is said in Scene::notes. Without a camera in the file
 /// the model is framed (see `framing`). A model without lights is no error.
 ///

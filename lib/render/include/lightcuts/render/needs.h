@@ -9,7 +9,9 @@ namespace lightcuts {
 
 /// What a scene needs of the algorithm, found once; what it does not need is left out.
 struct Needs {
-  bool specular = false;  ///< some surface has a Phong lobe
+  LightKinds kinds = 0;   ///< of the lights
+  bool clamp = false;     ///< distances are clamped; see LightSet::set_min_distance()
+  bool specular = false;  ///< some surface has a glossy lobe
   bool occlusion = false; ///< something may come between a surface and a light: cast shadow rays
   bool tree = false;      ///< cuts are expected to cost less than all lights
 

@@ -31,6 +31,7 @@ struct RenderConfig {
   Method method = Method::lightcuts;
   CutConfig cut;                        ///< for Method::lightcuts
   bool use_tree = true;                 ///< false: lightcuts sums all lights, see Needs::tree
+  bool specialise = true;               ///< false: the kernel for any scene, to compare with
   unsigned threads = 0;                 ///< 0: one per core; default 0
   std::function<void(double)> progress; ///< called with the share done, by any thread; may be empty
 };

@@ -39,8 +39,14 @@ public:
 
   /// Whether light i is seen from there.
   [[nodiscard]] bool sees(const VisiblePoint& from, std::uint32_t light) const {
-    return !may_occlude_ ||
-           !occluder_.occluded(shadow_ray(from.ray_origin, scene_->lights[light].position));
+    return !may_occlude_ || !occluder_.occluded(ray_to(from, light));
+  }
+
+  /// The shadow ray for that: to a directional light, out of the scene.
+  [[nodiscard]] ShadowRay ray_to(const VisiblePoint& from, std::uint32_t light) const {
+    const Light& l = scene_->lights[light];
+    if (l.kind == LightKind::directional) return {from.ray_origin, l.position, out_of_scene_};
+    return shadow_ray(from.ray_origin, l.position);
   }
 
 private:
@@ -48,6 +54,7 @@ private:
   Occluder occluder_;
   PinholeView camera_;
   bool may_occlude_;
+  float out_of_scene_; ///< longer than any way between two of its points
 };
 
 } // namespace lightcuts

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <lightcuts/box.h>
+#include <lightcuts/box_bounds.h>
+#include <lightcuts/light_set.h>
+#include <lightcuts/orientation_cone.h>
+
+namespace lightcuts {
+
+struct TreeNode;
+
+/// Where the oriented lights or spots of a cluster shine.
+struct ClusterEmission {
+  OrientationCone cone;   ///< has all their axes, in real numbers
+  glm::vec3 mean_axis{0}; ///< mean of the unit axes, weighted by intensity; not unit
+  float cos_inner = 1;    ///< of spots: the least of each
+  float cos_outer = 1;
+};
+
+/// For all nodes, in one bottom-up pass; nodes as LightTree has them.
+[[nodiscard]] std::vector<ClusterEmission> emission_of(std::span<const TreeNode> nodes,
+                                                       const LightSet& lights);
+
+namespace detail {
+
+// More than the angles below err by; a positive result has a least value, beside which that is less
+// than 2^-24.
+inline constexpr double emission_slack = 8 * angle_error;
+inline constexpr double least_cosine = 0x1p-20;
+inline constexpr double least_ramp = 0x1p-10;
+
+/// t^2 of a ramp that begins at cos_outer; see LightKind::spot.
+inline double ramp2(const ClusterEmission& e, double cosine) {
+  const double t = (cosine - e.cos_outer) / (double(e.cos_inner) - e.cos_outer);
+  return t >= 1 ? 1 : t * t;
+}
+
+} // namespace detail
+
+/// Upper bound of emission() towards x over lights whose positions are in the box. With psi the
+/// least angle between the cone's axis and x - y, y in the box, and beta the cone's half-angle, the
+/// angle between any light's axis and the direction towards x is at least psi - beta. emission()
+/// falls with that angle, and falls the less the smaller cos_inner and cos_outer are.
+/// A cluster that ends at the horizon within 2^-40 may count as reaching above it.
+[[nodiscard]] inline double max_emission(LightKind kind, const ClusterEmission& e,
+                                         const glm::vec3& x, const Box& box) {
+  const Angle psi = min_angle(-e.cone.axis, x, box);
+  const double cosine = difference(psi, e.cone.half_angle()).cos;
+  if (kind == LightKind::oriented) {
+    if (cosine < -0x1p-40) return 0;
+    return std::clamp(cosine + detail::emission_slack, detail::least_cosine, 1.0);
+  }
+  if (cosine + 0x1p-40 < e.cos_outer) return 0;
+  return std::max(detail::ramp2(e, std::max(cosine + detail::emission_slack, double(e.cos_outer))),
+                  detail::least_ramp * detail::least_ramp);
+}
+
+/// Lower bound of the same, by the largest angle psi + beta; 0 for spots.
+[[nodiscard]] inline double min_emission(LightKind kind, const ClusterEmission& e,
+                                         const glm::vec3& x, const Box& box) {
+  if (kind == LightKind::spot) return 0;
+  const Angle farthest = supplement(min_angle(e.cone.axis, x, box));
+  return std::max(0.0, sum(farthest, e.cone.half_angle()).cos - detail::emission_slack);
+}
+
+/// emission() as of one light at y that stands for the cluster: exact to first order where all its
+/// lights face x. The spots' rims are taken from `one`, a light of the cluster.
+[[nodiscard]] inline double mean_emission(const ClusterEmission& e, const Light& one,
+                                          const glm::vec3& y, const glm::vec3& x) {
+  const glm::dvec3 d = glm::dvec3(x) - glm::dvec3(y);
+  const double length2 = glm::dot(d, d);
+  if (length2 == 0) return 0;
+  const glm::dvec3 axis(e.mean_axis);
+  const double cosine = glm::dot(axis, d) / std::sqrt(length2);
+  if (one.kind == LightKind::oriented) return std::clamp(cosine, 0.0, 1.0);
+  const double axis_length = glm::length(axis);
+  const double t = (cosine - axis_length * one.cos_outer) /
+                   (axis_length * (double(one.cos_inner) - one.cos_outer));
+  return t >= 1 ? 1 : t > 0 ? t * t : 0;
+}
+
+} // namespace lightcuts

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+namespace lightcuts {
+
+/// How a light spreads its power. theta is the angle between Light::axis and the direction in which
+/// light leaves, d the distance to the light.
+enum class LightKind : std::uint8_t {
+  omni,     ///< intensity / d^2: alike in all directions
+  oriented, ///< intensity max(0, cos theta) / d^2: a piece of a surface, a VPL
+  spot,     ///< intensity t^2 / d^2, t = (cos theta - cos_outer) / (cos_inner - cos_outer) clamped
+            ///< to [0, 1]: a cone with a soft rim, as in glTF's KHR_lights_punctual
+  directional ///< intensity, whatever the distance: so far away that all its rays are parallel
+};
+inline constexpr int light_kind_count = 4;
+
+/// A set of kinds: bit k stands for LightKind(k).
+using LightKinds = unsigned;
+[[nodiscard]] constexpr LightKinds only(LightKind kind) { return 1U << unsigned(kind); }
+inline constexpr LightKinds all_light_kinds = (1U << unsigned(light_kind_count)) - 1;
+inline constexpr LightKinds kinds_with_axis = only(LightKind::oriented) | only(LightKind::spot);
+
+/// A light without extent. Its floats are taken as exact real numbers; the length of a direction is
+/// divided out wherever it is used.
+struct Light {
+  LightKind kind = LightKind::omni;
+  glm::vec3 position{0};  ///< metres; of a directional light: the unit direction towards it
+  glm::vec3 intensity{0}; ///< radiant intensity along the axis, W/sr, each >= 0; of a directional
+                          ///< light: irradiance of a surface that faces it, W/m^2
+  glm::vec3 axis{0};      ///< unit, where most of an oriented or spot light goes; else unused
+  float cos_inner = 1;    ///< of a spot: full intensity within, at least cos_outer + 2^-11
+  float cos_outer = -1;   ///< of a spot: nothing beyond
+};
+
+/// From where a light is looked at: a directional light lies at its direction as seen from 0.
+[[nodiscard]] constexpr glm::vec3 viewed_from(LightKind kind, const glm::vec3& x) {
+  return kind == LightKind::directional ? glm::vec3(0) : x;
+}
+
+} // namespace lightcuts
