@@ -103,6 +103,35 @@ TEST(SceneView, DoesNotSeeThroughAFloorOfSmoothNormals) {
   EXPECT_GT(before_normal, 100);
 }
 
+/// The floor with a texture that is 0 at its left edge (x = -1), 1 at its right edge.
+Scene floor_with_a_ramp() {
+  Scene scene = plate_over_floor();
+  for (const glm::vec3& p : scene.mesh.positions) scene.mesh.uv.emplace_back(p.x / 2, p.z);
+  scene.textures.emplace_back(glm::uvec2(2, 1), std::vector<glm::vec3>{glm::vec3(0), {1, 2, 0.5F}});
+  // -1 to 1 metre is -0.5 to 0.5 in u; clamped, a texture of two texels rises from 0.25 to 0.75.
+  for (glm::vec2& uv : scene.mesh.uv) uv.x = 0.5F + uv.x / 2;
+  scene.surfaces[0].texture = BaseTexture{0, {Wrap::clamp, Wrap::repeat}, {}};
+  return scene;
+}
+
+TEST(SceneView, MultipliesTheMaterialByItsTextureAtThePoint) {
+  const Scene scene = floor_with_a_ramp();
+  int floor = 0, plate = 0;
+  for_each_point(SceneView(scene), [&](const VisiblePoint& p) {
+    const glm::vec3& diffuse = p.point.material().diffuse;
+    if (p.point.position().y > 0.5F) {
+      EXPECT_EQ(diffuse, glm::vec3(0.75F));
+      ++plate;
+      return;
+    }
+    const glm::vec3 ramp = (p.point.position().x + 1) / 2 * glm::vec3(0.25F, 0.5F, 0.125F);
+    EXPECT_LT(glm::length(diffuse - ramp), 1e-6F) << p.point.position().x;
+    ++floor;
+  });
+  EXPECT_GT(floor, 100);
+  EXPECT_GT(plate, 10);
+}
+
 TEST(SceneView, HasPointsInAllPixelsOfARoom) {
   const Scene scene = make_builtin("cloud?lights=1&blocks=0");
   const SceneView view(scene);
