@@ -206,6 +206,8 @@ TEST_F(ImportedTexture, of_a_specular_glossiness_material_is_left_out_and_this_i
   gltf["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"]["diffuseTexture"] = {
       {"index", 0}};
   gltf["extensionsUsed"] = {"KHR_materials_pbrSpecularGlossiness"};
+  json& parts = gltf["meshes"][0]["primitives"];
+  parts.push_back(parts[0]);
   const Scene scene = import("s.gltf", gltf.dump());
   EXPECT_EQ(notes_with(scene, "texture 'four.png' of a specular-glossiness material left out"), 1U);
   EXPECT_TRUE(scene.textures.empty());
@@ -273,13 +275,25 @@ TEST_F(ImportedTexture, is_left_out_on_meshes_without_coordinates_and_this_is_sa
   EXPECT_EQ(quarters(scene)[0].diffuse, glm::vec3(0.5F));
 }
 
+TEST_F(ImportedTexture, stays_on_those_of_a_materials_meshes_that_have_coordinates) {
+  json gltf = test::textured_square({{"uri", "four.png"}});
+  json& parts = gltf["meshes"][0]["primitives"];
+  parts.push_back(parts[0]);
+  parts[1]["attributes"].erase("TEXCOORD_0");
+  const Scene scene = import("p.gltf", gltf.dump());
+  ASSERT_EQ(scene.surfaces.size(), 2U);
+  EXPECT_TRUE(scene.surfaces[scene.mesh.surface.at(0)].texture);
+  EXPECT_FALSE(scene.surfaces[scene.mesh.surface.at(2)].texture);
+  EXPECT_EQ(notes_with(scene, "without texture coordinates on 1 mesh part"), 1U);
+}
+
 TEST_F(ImportedTexture, goes_with_its_own_model_when_there_are_several) {
   write_image("grey.png", test::image_bytes<std::uint8_t>("png", 1, 1, {255}));
   write(folder_.path / "plain.obj", "v 0 0 -1\nv 1 0 -1\nv 1 1 -1\nf 1 2 3\n");
   write(folder_.path / "g.gltf", test::textured_square({{"uri", "grey.png"}}).dump());
   write(folder_.path / "f.gltf", test::textured_square({{"uri", "four.png"}}).dump());
   Scene scene;
-  for (const char* name : {"plain.obj", "f.gltf", "plain.obj", "g.gltf"}) {
+  for (const char* name : {"plain.obj", "f.gltf", "plain.obj", "g.gltf", "plain.obj"}) {
     append_model(folder_.path / name, scene);
     // The one seen is the last square that lies in z = 0: moved away, others come to the front.
     if (std::string(name) == "f.gltf")

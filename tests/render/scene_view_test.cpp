@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/scene_view.h>
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <lightcuts/contribution.h>
@@ -103,13 +105,13 @@ TEST(SceneView, DoesNotSeeThroughAFloorOfSmoothNormals) {
   EXPECT_GT(before_normal, 100);
 }
 
-/// The floor with a texture that is 0 at its left edge (x = -1), 1 at its right edge.
+/// The floor with a clamped texture of two texels, 0 at the left and (1, 2, 0.5) at the right,
+/// their centres at x = -0.5 and 0.5.
 Scene floor_with_a_ramp() {
   Scene scene = plate_over_floor();
-  for (const glm::vec3& p : scene.mesh.positions) scene.mesh.uv.emplace_back(p.x / 2, p.z);
+  for (const glm::vec3& p : scene.mesh.positions)
+    scene.mesh.uv.emplace_back((p.x + 1) / 2, (1 - p.z) / 2);
   scene.textures.emplace_back(glm::uvec2(2, 1), std::vector<glm::vec3>{glm::vec3(0), {1, 2, 0.5F}});
-  // -1 to 1 metre is -0.5 to 0.5 in u; clamped, a texture of two texels rises from 0.25 to 0.75.
-  for (glm::vec2& uv : scene.mesh.uv) uv.x = 0.5F + uv.x / 2;
   scene.surfaces[0].texture = BaseTexture{0, {Wrap::clamp, Wrap::repeat}, {}};
   return scene;
 }
@@ -124,7 +126,8 @@ TEST(SceneView, MultipliesTheMaterialByItsTextureAtThePoint) {
       ++plate;
       return;
     }
-    const glm::vec3 ramp = (p.point.position().x + 1) / 2 * glm::vec3(0.25F, 0.5F, 0.125F);
+    const glm::vec3 ramp =
+        std::clamp(p.point.position().x + 0.5F, 0.0F, 1.0F) * glm::vec3(0.25F, 0.5F, 0.125F);
     EXPECT_LT(glm::length(diffuse - ramp), 1e-6F) << p.point.position().x;
     ++floor;
   });

@@ -202,5 +202,16 @@ TEST(DecodeTexture, RefusesAnImageThatIsCutOff) {
           << name << " " << kept;
 }
 
+TEST(DecodeTexture, RefusesAJpegWhoseLastRowsAreMissing) {
+  std::vector<std::uint8_t> pixels(64 * 64 * 3);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    pixels[i] = static_cast<std::uint8_t>(i * 7919 >> 3);
+  const std::string bytes = image_bytes("jpg", 64, 3, pixels);
+  EXPECT_NO_THROW((void)decode_texture(bytes, "a.jpg"));
+  for (const std::size_t kept : {bytes.size() / 2, bytes.size() - 20})
+    expect_refusal("truncated: no end of image",
+                   [&] { (void)decode_texture(std::string_view(bytes).substr(0, kept), "a.jpg"); });
+}
+
 } // namespace
 } // namespace lightcuts
