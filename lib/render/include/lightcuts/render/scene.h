@@ -19,8 +19,7 @@ namespace lightcuts {
 struct BaseTexture {
   std::uint32_t index = 0; ///< into Scene::textures
   TextureWrap wrap;
-  glm::vec3 tinted_specular{
-      0}; ///< that part of the specular reflectance: from 0 (none) to all of it
+  glm::vec3 tinted_specular{0}; ///< that part of the specular reflectance, 0 to all of it
 };
 
 /// What a triangle is made of.
@@ -28,7 +27,7 @@ struct Surface {
   std::string name;
   Material material;
   glm::vec3 emission{0}; ///< radiance seen by the camera, W/(m^2 sr); it lights nothing
-  std::optional<BaseTexture> texture = {};
+  std::optional<BaseTexture> texture = {}; ///< without it, the material is the same everywhere
 };
 
 /// All triangles of a scene in world space, metres.
