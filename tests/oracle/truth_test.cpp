@@ -21,7 +21,7 @@ bool agrees(long double value, const Exact& exact) {
   return abs(Exact(value) - exact) <= exact * Exact(truth_error);
 }
 
-void expect_agreement(const OmniLight& light, const ShadingPoint& point) {
+void expect_agreement(const Light& light, const ShadingPoint& point) {
   const Wide value = contribution(light, point);
   for (int c = 0; c < 3; ++c) {
     const Exact exact = exact_contribution(light, point, c);
@@ -33,7 +33,7 @@ void expect_agreement(const OmniLight& light, const ShadingPoint& point) {
 RC_GTEST_PROP(Truth, InLongDoubleIsWithinItsErrorOfTheExactOne, ()) {
   const gen::Scene scene = *gen::scene(4);
   const ShadingPoint point = scene.view.point();
-  for (const OmniLight& light : scene.lights) {
+  for (const Light& light : scene.lights) {
     const Wide value = contribution(light, point);
     for (int c = 0; c < 3; ++c) RC_ASSERT(agrees(value[c], exact_contribution(light, point, c)));
   }
@@ -42,7 +42,7 @@ RC_GTEST_PROP(Truth, InLongDoubleIsWithinItsErrorOfTheExactOne, ()) {
 RC_GTEST_PROP(Truth, EqualsThatOfTheTestsOwnFormula, ()) {
   const gen::Scene scene = *gen::scene(4);
   const ShadingPoint point = scene.view.point();
-  for (const OmniLight& light : scene.lights) {
+  for (const Light& light : scene.lights) {
     const precise::Colour other = precise::contribution(point, light);
     for (int c = 0; c < 3; ++c) {
       const Exact exact = exact_contribution(light, point, c);
@@ -52,7 +52,7 @@ RC_GTEST_PROP(Truth, EqualsThatOfTheTestsOwnFormula, ()) {
 }
 
 TEST(Truth, IsAccurateAtGrazingLight) {
-  const OmniLight grazing{{1e15F, -1e15F, 0x1p-149F}, glm::vec3(1)};
+  const Light grazing{{1e15F, -1e15F, 0x1p-149F}, glm::vec3(1)};
   expect_agreement(grazing, diffuse_point());
 }
 
@@ -78,7 +78,7 @@ TEST(Truth, IsAccurateWhereEvenTheCompensatedSumCancels) {
 }
 
 TEST(Truth, IsAccurateAtTheLargestExponent) {
-  const Material mirror{glm::vec3(0), glm::vec3(1), Material::max_exponent};
+  const Material mirror{glm::vec3(0), glm::vec3(1), Phong::max_exponent};
   const ShadingPoint point(glm::vec3(0), {0, 0, 1}, {0, 0, 1}, mirror);
   expect_agreement({{0.001F, 0, 1}, glm::vec3(1)}, point);
   expect_agreement({{0.05F, 0.01F, 1}, glm::vec3(1)}, point); // 10^-592

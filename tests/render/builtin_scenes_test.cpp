@@ -27,13 +27,13 @@ glm::dvec3 face_normal(const Scene& scene, std::size_t t) {
 
 glm::dvec3 total_intensity(const Scene& scene) {
   glm::dvec3 sum{0};
-  for (const OmniLight& light : scene.lights) sum += glm::dvec3(light.intensity);
+  for (const Light& light : scene.lights) sum += glm::dvec3(light.intensity);
   return sum;
 }
 
 bool has_glossy_surface(const Scene& scene) {
   return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
-                     [](const Surface& s) { return s.material.has_specular(); });
+                     [](const Surface& s) { return s.material.is_glossy(); });
 }
 
 TEST(BuiltinScenes, are_all_listed_with_a_description) {
@@ -75,8 +75,10 @@ TEST(BuiltinScenes, use_every_surface) {
 TEST(BuiltinScenes, conserve_energy) {
   for (const BuiltinScene& builtin : builtin_scenes())
     for (const Surface& s : make_builtin(builtin.name).surfaces)
-      for (int c = 0; c < 3; ++c)
-        EXPECT_LE(s.material.diffuse[c] + s.material.specular[c], 1) << s.name;
+      for (int c = 0; c < 3; ++c) {
+        const auto* phong = std::get_if<Phong>(&s.material.lobe);
+        EXPECT_LE(s.material.diffuse[c] + (phong ? phong->reflectance[c] : 0), 1) << s.name;
+      }
 }
 
 TEST(BuiltinScenes, have_smooth_normals_on_the_side_of_their_faces) {
@@ -96,7 +98,7 @@ TEST(BuiltinScenes, have_their_lights_inside_the_scene) {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     const Scene scene = make_builtin(builtin.name);
     const Box box = scene_bounds(scene.mesh);
-    for (const OmniLight& light : scene.lights) EXPECT_TRUE(box.contains(light.position));
+    for (const Light& light : scene.lights) EXPECT_TRUE(box.contains(light.position));
   }
 }
 
@@ -142,7 +144,7 @@ TEST(DeskScene, has_a_light_a_centimetre_in_front_of_each_cell_of_the_screen) {
     ++cells;
   }
   EXPECT_EQ(cells, 2U * 24U * 9U);
-  for (const OmniLight& light : scene.lights) {
+  for (const Light& light : scene.lights) {
     EXPECT_EQ(light.position.z, scene.lights[0].position.z);
     EXPECT_EQ(light.intensity, scene.lights[0].intensity);
   }
@@ -170,13 +172,13 @@ TEST(BedroomScene, is_furnished_and_lit_by_100_coloured_lights) {
   EXPECT_LE(scene.mesh.triangles.size(), 3000U);
   EXPECT_EQ(scene.lights.size(), 100U);
   EXPECT_TRUE(has_glossy_surface(scene));
-  for (const OmniLight& light : scene.lights) EXPECT_NE(light.intensity.r, light.intensity.g);
+  for (const Light& light : scene.lights) EXPECT_NE(light.intensity.r, light.intensity.g);
 }
 
 TEST(BedroomScene, has_no_furniture_where_the_lights_are) {
   const Scene scene = make_builtin("bedroom");
   Box lights = Box::empty();
-  for (const OmniLight& light : scene.lights) lights.extend(light.position);
+  for (const Light& light : scene.lights) lights.extend(light.position);
   for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
     Box triangle = Box::empty();
     for (int i = 0; i < 3; ++i) triangle.extend(glm::vec3(corner(scene, t, i)));
@@ -220,7 +222,7 @@ TEST(CloudScene, keeps_blocks_inside_the_room_and_lights_above_them) {
   for (std::size_t t = 12; t < scene.mesh.triangles.size(); ++t)
     for (int i = 0; i < 3; ++i) top = std::max(top, float(corner(scene, t, i).y));
   EXPECT_LT(top, scene.camera.position.y);
-  for (const OmniLight& light : scene.lights) EXPECT_GT(light.position.y, top);
+  for (const Light& light : scene.lights) EXPECT_GT(light.position.y, top);
 }
 
 TEST(CloudScene, is_strictly_convex_without_blocks) {
@@ -232,7 +234,7 @@ TEST(CloudScene, is_strictly_convex_without_blocks) {
     return true;
   };
   EXPECT_TRUE(inside(scene.camera.position)); // the walls look inwards
-  for (const OmniLight& light : scene.lights) EXPECT_TRUE(inside(light.position));
+  for (const Light& light : scene.lights) EXPECT_TRUE(inside(light.position));
 }
 
 TEST(CloudScene, has_blocks_that_look_outwards) {

@@ -91,7 +91,7 @@ TEST(Convexity, ARoomScaledAndMovedByRoundNumbersIsConvex) {
     for (const float shift : {0.0F, 8.0F}) {
       const auto move = [&](const glm::vec3& p) { return scale * (p + shift); };
       LightSet lights;
-      for (const OmniLight& l : inside) lights.add_omni(move(l.position), l.intensity);
+      for (const Light& l : inside) lights.add_omni(move(l.position), l.intensity);
       EXPECT_TRUE(encloses_lights_convexly(changed(room().mesh, move), lights, move(eye)))
           << scale << " " << shift;
     }

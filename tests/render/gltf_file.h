@@ -89,4 +89,42 @@ inline std::string glb(nlohmann::json gltf, const std::string& bytes = buffer())
   return "glTF" + little_endian(2) + little_endian(12 + chunks.size()) + chunks;
 }
 
+/// A square, (0, 0, 0) to (1, 1, 0), that looks along +z: four positions, four texture coordinates
+/// (v = 0 at the top, y = 1), six 16-bit indices.
+inline std::string square_buffer() {
+  const std::array<float, 20> floats{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 1, 1, 1, 0, 0, 0};
+  const std::array<std::uint16_t, 6> indices{0, 1, 2, 0, 2, 3};
+  std::string bytes(92, '\0');
+  std::memcpy(bytes.data(), floats.data(), 80);
+  std::memcpy(bytes.data() + 80, indices.data(), 12);
+  return bytes;
+}
+
+/// The square with a base colour of (0.8, 0.6, 0.4) times a texture, seen from the front by a
+/// camera whose square image it just fills.
+inline nlohmann::json textured_square(const nlohmann::json& image,
+                                      const std::string& bytes = square_buffer()) {
+  nlohmann::json gltf = nlohmann::json::parse(R"({
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+    "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0.5, 0.5, 1]}],
+    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.92729522, "znear": 0.1}}],
+    "textures": [{"source": 0}],
+    "materials": [{"name": "paint", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
+      "baseColorFactor": [0.8, 0.6, 0.4, 1], "metallicFactor": 0.25, "roughnessFactor": 0.5}}],
+    "meshes": [{"name": "square", "primitives": [
+      {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
+    "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48},
+                    {"buffer": 0, "byteOffset": 48, "byteLength": 32},
+                    {"buffer": 0, "byteOffset": 80, "byteLength": 12}],
+    "accessors": [
+      {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+       "min": [0, 0, 0], "max": [1, 1, 0]},
+      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+      {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}]})");
+  gltf["images"] = {image};
+  gltf["buffers"] = {{{"uri", "data:application/octet-stream;base64," + base64(bytes)},
+                      {"byteLength", bytes.size()}}};
+  return gltf;
+}
+
 } // namespace lightcuts::test

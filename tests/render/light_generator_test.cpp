@@ -23,20 +23,20 @@ LightSet lights_of(const LightCloud& cloud) {
   return lights;
 }
 
-bool operator==(const OmniLight& a, const OmniLight& b) {
+bool operator==(const Light& a, const Light& b) {
   return a.position == b.position && a.intensity == b.intensity;
 }
 
 bool equal(const LightSet& a, const LightSet& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const OmniLight& x, const OmniLight& y) { return x == y; });
+                    [](const Light& x, const Light& y) { return x == y; });
 }
 
 TEST(LightGenerator, makes_the_lights_asked_for_within_the_box) {
   const LightCloud cloud = cloud_of(1000);
   const LightSet lights = lights_of(cloud);
   ASSERT_EQ(lights.size(), 1000U);
-  for (const OmniLight& light : lights)
+  for (const Light& light : lights)
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_GE(light.position[axis], cloud.lo[axis]);
       EXPECT_LE(light.position[axis], cloud.hi[axis]);
@@ -46,7 +46,7 @@ TEST(LightGenerator, makes_the_lights_asked_for_within_the_box) {
 TEST(LightGenerator, spreads_the_lights_evenly_over_the_box) {
   const LightCloud cloud = cloud_of(8000);
   int octants[8] = {};
-  for (const OmniLight& light : lights_of(cloud)) {
+  for (const Light& light : lights_of(cloud)) {
     int octant = 0;
     for (int axis = 0; axis < 3; ++axis)
       if (2 * light.position[axis] > cloud.lo[axis] + cloud.hi[axis]) octant |= 1 << axis;
@@ -62,7 +62,7 @@ TEST(LightGenerator, splits_the_total_intensity) {
       LightCloud cloud = cloud_of(count);
       cloud.random_colours = colours;
       glm::dvec3 sum{0};
-      for (const OmniLight& light : lights_of(cloud)) sum += glm::dvec3(light.intensity);
+      for (const Light& light : lights_of(cloud)) sum += glm::dvec3(light.intensity);
       // Each light's intensity is rounded once, by at most 2^-24 of itself.
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c] / double(cloud.intensity[c]), 1, 0x1p-23);
     }
@@ -72,7 +72,7 @@ TEST(LightGenerator, weights_the_lights_at_random_and_tints_them_if_asked) {
   LightCloud cloud = cloud_of(500);
   cloud.intensity = glm::vec3(1);
   std::set<float> strengths;
-  for (const OmniLight& light : lights_of(cloud)) {
+  for (const Light& light : lights_of(cloud)) {
     EXPECT_EQ(light.intensity.r, light.intensity.g);
     EXPECT_EQ(light.intensity.r, light.intensity.b);
     strengths.insert(light.intensity.r);
@@ -82,7 +82,7 @@ TEST(LightGenerator, weights_the_lights_at_random_and_tints_them_if_asked) {
   cloud.random_colours = true;
   const LightSet coloured = lights_of(cloud);
   EXPECT_GT(std::count_if(coloured.begin(), coloured.end(),
-                          [](const OmniLight& l) { return l.intensity.r != l.intensity.g; }),
+                          [](const Light& l) { return l.intensity.r != l.intensity.g; }),
             490);
 }
 
@@ -113,7 +113,7 @@ TEST(LightGenerator, takes_extreme_boxes) {
   cloud.hi = glm::vec3(3e38F);
   EXPECT_EQ(lights_of(cloud).size(), 100U);
   cloud.lo = cloud.hi = {1, 2, 3};
-  for (const OmniLight& light : lights_of(cloud)) EXPECT_EQ(light.position, cloud.lo);
+  for (const Light& light : lights_of(cloud)) EXPECT_EQ(light.position, cloud.lo);
 }
 
 TEST(LightGenerator, refuses_what_leaves_the_domain) {
@@ -177,7 +177,7 @@ TEST(DefaultCloud, hangs_above_a_flat_mesh_not_in_it) {
   TriangleMesh flat;
   flat.positions = {{0, 0.1F, 0}, {1, 0.1F, 0}, {0, 0.1F, 1}};
   flat.triangles = {{0, 1, 2}};
-  for (const OmniLight& light : lights_of(default_cloud(flat, 5, 1)))
+  for (const Light& light : lights_of(default_cloud(flat, 5, 1)))
     EXPECT_GT(light.position.y, 0.3F); // a quarter of the diagonal above 0.1
 }
 

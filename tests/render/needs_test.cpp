@@ -54,7 +54,7 @@ TEST(Needs, ScaleTheBlackLevelWithTheLight) {
   Scene scene = make_builtin("cloud?lights=50");
   const Needs dim = needs_of(scene);
   LightSet brighter;
-  for (const OmniLight& l : scene.lights) brighter.add_omni(l.position, 16.0F * l.intensity);
+  for (const Light& l : scene.lights) brighter.add_omni(l.position, 16.0F * l.intensity);
   scene.lights = brighter;
   EXPECT_GT(dim.black_level, 0);
   EXPECT_EQ(needs_of(scene).black_level, 16 * dim.black_level);

@@ -86,6 +86,10 @@ TEST(Validate, refuses_broken_scenes) {
   refuses("position 1 is not finite", [&](Scene& s) { s.mesh.positions[1].y = inf; });
   refuses("normal 1 has length 2", [](Scene& s) { s.mesh.normals[1].z = 2; });
   refuses("normal 1 has length nan", [&](Scene& s) { s.mesh.normals[1].z = nan; });
+  refuses("1 texture coordinates for 3 positions", [](Scene& s) { s.mesh.uv = {{0, 0}}; });
+  refuses("texture coordinate 2 is not finite", [&](Scene& s) {
+    s.mesh.uv = {{0, 0}, {0, 0}, {0, nan}};
+  });
   refuses("surface 'paint': diffuse.g is -1",
           [](Scene& s) { s.surfaces[0].material.diffuse.g = -1; });
   refuses("surface 'paint': exponent is nan",
@@ -101,6 +105,32 @@ TEST(Validate, refuses_broken_scenes) {
   refuses("camera: up is parallel to the view", [](Scene& s) { s.camera.up = {0, 0, 4}; });
   refuses("image width is 0, expected 1 to 16384", [](Scene& s) { s.image_size.x = 0; });
   refuses("image height is 16385", [](Scene& s) { s.image_size.y = 16385; });
+}
+
+Scene textured_scene() {
+  Scene scene = valid_scene();
+  scene.mesh.uv = {{0, 0}, {1, 0}, {-7, 1e30F}};
+  scene.textures.emplace_back(glm::uvec2(1), std::vector<glm::vec3>{{1, 1, 1}});
+  scene.surfaces[0].material.lobe = CookTorrance{{0.5F, 0.25F, 0}, 0.5F};
+  scene.surfaces[0].texture = {0, {}, {0.5F, 0, 0}};
+  return scene;
+}
+
+TEST(Validate, refuses_broken_textures) {
+  EXPECT_NO_THROW(validate(textured_scene()));
+  const auto refuses = [](const std::string& part, auto&& change) {
+    Scene scene = textured_scene();
+    change(scene);
+    expect_refusal("test: surface 'paint': " + part, [&] { validate(scene); });
+  };
+  refuses("texture 1 of 1", [](Scene& s) { s.surfaces[0].texture->index = 1; });
+  refuses("a texture, but the mesh has no texture coordinates", [](Scene& s) { s.mesh.uv = {}; });
+  refuses("tinted_f0.g is 0.5, expected 0 to 0.25",
+          [](Scene& s) { s.surfaces[0].texture->tinted_f0.g = 0.5F; });
+  refuses("tinted_f0.r is -1",
+          [](Scene& s) { s.surfaces[0].texture->tinted_f0.r = -1; });
+  refuses("tinted_f0.b is nan",
+          [](Scene& s) { s.surfaces[0].texture->tinted_f0.b = std::nanf(""); });
 }
 
 } // namespace

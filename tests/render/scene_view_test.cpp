@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/scene_view.h>
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <lightcuts/contribution.h>
@@ -101,6 +103,36 @@ TEST(SceneView, DoesNotSeeThroughAFloorOfSmoothNormals) {
     EXPECT_FALSE(view.sees(p, 0));
   });
   EXPECT_GT(before_normal, 100);
+}
+
+/// The floor with a clamped texture of two texels, 0 at the left and (1, 2, 0.5) at the right,
+/// their centres at x = -0.5 and 0.5.
+Scene floor_with_a_ramp() {
+  Scene scene = plate_over_floor();
+  for (const glm::vec3& p : scene.mesh.positions)
+    scene.mesh.uv.emplace_back((p.x + 1) / 2, (1 - p.z) / 2);
+  scene.textures.emplace_back(glm::uvec2(2, 1), std::vector<glm::vec3>{glm::vec3(0), {1, 2, 0.5F}});
+  scene.surfaces[0].texture = BaseTexture{0, {Wrap::clamp, Wrap::repeat}, {}};
+  return scene;
+}
+
+TEST(SceneView, MultipliesTheMaterialByItsTextureAtThePoint) {
+  const Scene scene = floor_with_a_ramp();
+  int floor = 0, plate = 0;
+  for_each_point(SceneView(scene), [&](const VisiblePoint& p) {
+    const glm::vec3& diffuse = p.point.material().diffuse;
+    if (p.point.position().y > 0.5F) {
+      EXPECT_EQ(diffuse, glm::vec3(0.75F));
+      ++plate;
+      return;
+    }
+    const glm::vec3 ramp =
+        std::clamp(p.point.position().x + 0.5F, 0.0F, 1.0F) * glm::vec3(0.25F, 0.5F, 0.125F);
+    EXPECT_LT(glm::length(diffuse - ramp), 1e-6F) << p.point.position().x;
+    ++floor;
+  });
+  EXPECT_GT(floor, 100);
+  EXPECT_GT(plate, 10);
 }
 
 TEST(SceneView, HasPointsInAllPixelsOfARoom) {

@@ -77,4 +77,9 @@ Surface surface_of(const aiMaterial& source, bool is_gltf, const std::string& wh
   return surface;
 }
 
+glm::vec3 tinted_f0(const aiMaterial& source, bool is_gltf) {
+  if (!is_gltf) return glm::vec3(0);
+  return colour(source, AI_MATKEY_BASE_COLOR) * number(source, AI_MATKEY_METALLIC_FACTOR, 1);
+}
+
 } // namespace lightcuts

@@ -14,4 +14,7 @@ namespace lightcuts {
 Surface surface_of(const aiMaterial& material, bool is_gltf, const std::string& where,
                    std::vector<std::string>& notes);
 
+/// What of the surface's specular reflectance a base-colour texture multiplies.
+glm::vec3 tinted_f0(const aiMaterial& material, bool is_gltf);
+
 } // namespace lightcuts

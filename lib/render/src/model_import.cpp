@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
@@ -15,6 +16,7 @@
 
 #include "gltf_nodes.h"
 #include "imported_material.h"
+#include "imported_texture.h"
 #include "obj_check.h"
 #include "text.h"
 
@@ -35,20 +37,26 @@ bool is_finite(const glm::vec3& v) {
 /// Copies Assimp's scene into ours, node by node.
 class Collector {
 public:
-  Collector(const std::string& file, bool is_gltf, const aiScene& source, Scene& scene)
-      : file_(file), is_gltf_(is_gltf), source_(source), scene_(scene),
-        surface_of_material_(source.mNumMaterials, none) {}
+  Collector(const std::filesystem::path& file, bool is_gltf, const aiScene& source, Scene& scene)
+      : file_(file.string()), is_gltf_(is_gltf), source_(source), scene_(scene),
+        textures_(file, is_gltf, source, scene), surfaces_of_material_(source.mNumMaterials) {}
 
   void collect() {
     const std::size_t before = scene_.mesh.triangles.size();
     visit(*source_.mRootNode, glm::dmat4(1));
     if (scene_.mesh.triangles.size() == before)
       throw InputError(fmt::format("{}: no triangles", file_));
+    if (!scene_.mesh.uv.empty()) resize_uv(scene_.mesh.positions.size());
     add_notes();
   }
 
 private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// A material is one surface, or two where only some of its meshes can have its texture.
+  struct Surfaces {
+    std::uint32_t plain = none, textured = none;
+  };
 
   void visit(const aiNode& node, const glm::dmat4& parent) {
     const glm::dmat4 world = parent * matrix_of(node.mTransformation);
@@ -62,7 +70,7 @@ private:
     const auto first = static_cast<std::uint32_t>(scene_.mesh.positions.size());
     add_vertices(mesh, world);
     const bool mirrored = glm::determinant(glm::dmat3(world)) < 0;
-    const std::uint32_t surface = surface_for(mesh.mMaterialIndex);
+    const std::uint32_t surface = surface_for(mesh.mMaterialIndex, add_texture(mesh, first));
     for (unsigned i = 0; i < mesh.mNumFaces; ++i)
       if (mesh.mFaces[i].mNumIndices == 3)
         add_triangle(mesh, mesh.mFaces[i], first, surface, mirrored);
@@ -81,6 +89,28 @@ private:
                                                       : glm::vec3(0));
     }
   }
+
+  /// The texture of the mesh's material, if the mesh has coordinates for it, which are added.
+  std::optional<ImportedTexture> add_texture(const aiMesh& mesh, std::uint32_t first) {
+    const auto texture = textures_.of(*source_.mMaterials[mesh.mMaterialIndex]);
+    if (!texture) return std::nullopt;
+    if (!mesh.HasTextureCoords(texture->uv_set)) {
+      ++without_uv_;
+      return std::nullopt;
+    }
+    resize_uv(first);
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+      const aiVector3D& v = mesh.mTextureCoords[texture->uv_set][i];
+      const glm::vec2 uv = texture->scale * glm::vec2(v.x, v.y) + texture->offset;
+      if (!std::isfinite(uv.x) || !std::isfinite(uv.y))
+        throw InputError(fmt::format("{}: mesh '{}': texture coordinate {} is not finite", file_,
+                                     mesh.mName.C_Str(), i));
+      scene_.mesh.uv.push_back(uv);
+    }
+    return texture;
+  }
+
+  void resize_uv(std::size_t count) { scene_.mesh.uv.resize(count, glm::vec2(0)); }
 
   /// Zero, which stands for the face's normal, where there is no direction.
   static glm::vec3 unit(const glm::dmat3& normals, const aiVector3D& n) {
@@ -114,19 +144,23 @@ private:
   }
 
   /// Materials that nothing uses would say that the scene needs what it does not.
-  std::uint32_t surface_for(unsigned material) {
-    std::uint32_t& index = surface_of_material_[material];
-    if (index != none) return index;
+  std::uint32_t surface_for(unsigned material, const std::optional<ImportedTexture>& texture) {
+    Surfaces& known = surfaces_of_material_[material];
     const aiMaterial& source = *source_.mMaterials[material];
+    if (known.plain == none && known.textured == none) count_transparent(source);
+    std::uint32_t& index = texture ? known.textured : known.plain;
+    if (index != none) return index;
     const std::string where = fmt::format("{}: material '{}'", file_, source.GetName().C_Str());
     scene_.surfaces.push_back(surface_of(source, is_gltf_, where, scene_.notes));
-    if (source.GetTextureCount(aiTextureType_DIFFUSE) +
-            source.GetTextureCount(aiTextureType_BASE_COLOR) >
-        0)
-      ++textures_;
+    if (texture)
+      scene_.surfaces.back().texture = {texture->index, texture->wrap,
+                                        tinted_f0(source, is_gltf_)};
+    return index = static_cast<std::uint32_t>(scene_.surfaces.size() - 1);
+  }
+
+  void count_transparent(const aiMaterial& source) {
     float opacity = 1;
     if (source.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity < 1) ++transparent_;
-    return index = static_cast<std::uint32_t>(scene_.surfaces.size() - 1);
   }
 
   void add_notes() {
@@ -134,17 +168,18 @@ private:
       if (count > 0) scene_.notes.push_back(fmt::format("{}: {}", file_, text));
     };
     note(without_area_, counted(without_area_, "triangle") + " without area left out");
-    note(textures_,
-         counted(textures_, "base-colour texture") + " not read: the factor colour is used");
+    note(without_uv_, "a texture without texture coordinates on " +
+                          counted(without_uv_, "mesh part") + ": the factor colour is used");
     note(transparent_, counted(transparent_, "transparent material") + " drawn opaque");
   }
 
-  const std::string& file_;
+  std::string file_;
   bool is_gltf_;
   const aiScene& source_;
   Scene& scene_;
-  std::vector<std::uint32_t> surface_of_material_;
-  std::size_t without_area_ = 0, textures_ = 0, transparent_ = 0;
+  TextureImport textures_;
+  std::vector<Surfaces> surfaces_of_material_;
+  std::size_t without_area_ = 0, without_uv_ = 0, transparent_ = 0;
 };
 
 void read_meshes(const std::filesystem::path& file, bool is_gltf, Scene& scene) {
@@ -154,7 +189,7 @@ void read_meshes(const std::filesystem::path& file, bool is_gltf, Scene& scene) 
     throw InputError(fmt::format("{}: {}", file.string(), one_line(importer.GetErrorString())));
   if (!source->mRootNode || (source->mFlags & AI_SCENE_FLAGS_INCOMPLETE))
     throw InputError(fmt::format("{}: no triangles", file.string()));
-  Collector(file.string(), is_gltf, *source, scene).collect();
+  Collector(file, is_gltf, *source, scene).collect();
 }
 
 /// Adds the lights; returns whether there is a camera.

@@ -2,6 +2,7 @@
 #include <lightcuts/render/open_scene.h>
 
 #include <cmath>
+#include <variant>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -47,6 +48,31 @@ void validate(const TriangleMesh& mesh, std::size_t surfaces) {
   }
 }
 
+void validate_uv(const TriangleMesh& mesh) {
+  if (!mesh.uv.empty() && mesh.uv.size() != mesh.positions.size())
+    throw InputError(fmt::format("{} texture coordinates for {} positions", mesh.uv.size(),
+                                 mesh.positions.size()));
+  for (std::size_t i = 0; i < mesh.uv.size(); ++i)
+    if (!std::isfinite(mesh.uv[i].x) || !std::isfinite(mesh.uv[i].y))
+      throw InputError(fmt::format("texture coordinate {} is not finite", i));
+}
+
+void validate_texture(const Surface& surface, const Scene& scene) {
+  if (!surface.texture) return;
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fmt::format("surface '{}': {}", surface.name, why));
+  };
+  if (surface.texture->index >= scene.textures.size())
+    refuse(fmt::format("texture {} of {}", surface.texture->index, scene.textures.size()));
+  if (scene.mesh.uv.empty()) refuse("a texture, but the mesh has no texture coordinates");
+  const auto* metal = std::get_if<CookTorrance>(&surface.material.lobe);
+  for (int c = 0; c < 3; ++c) {
+    const float part = surface.texture->tinted_f0[c], all = metal ? metal->f0[c] : 0;
+    if (!(part >= 0 && part <= all))
+      refuse(fmt::format("tinted_f0.{} is {}, expected 0 to {}", "rgb"[c], part, all));
+  }
+}
+
 void validate(const Surface& surface) {
   try {
     validate(surface.material);
@@ -61,7 +87,11 @@ void validate(const Surface& surface) {
 
 void check(const Scene& scene) {
   validate(scene.mesh, scene.surfaces.size());
-  for (const Surface& surface : scene.surfaces) validate(surface);
+  validate_uv(scene.mesh);
+  for (const Surface& surface : scene.surfaces) {
+    validate(surface);
+    validate_texture(surface, scene);
+  }
   const std::string fault = camera_fault(scene.camera);
   if (!fault.empty()) throw InputError("camera: " + fault);
   for (int side = 0; side < 2; ++side)

@@ -3,6 +3,7 @@
 
 #include <lightcuts/render/bounds.h>
 #include <lightcuts/render/convexity.h>
+#include <lightcuts/render/surface_material.h>
 #include <lightcuts/render/surface_point.h>
 #include <lightcuts/rounding.h>
 
@@ -19,8 +20,9 @@ std::optional<VisiblePoint> SceneView::at(glm::uvec2 pixel) const {
   if (!hit) return std::nullopt;
   const SurfacePoint s = surface_point(scene_->mesh, *hit, direction);
   const Surface& surface = scene_->surfaces[scene_->mesh.surface[hit->triangle]];
-  return VisiblePoint{ShadingPoint(s.position, s.shading_normal, -direction, surface.material),
-                      s.ray_origin, surface.emission};
+  return VisiblePoint{
+      ShadingPoint(s.position, s.shading_normal, -direction, material_at(*scene_, *hit)),
+      s.ray_origin, surface.emission};
 }
 
 } // namespace lightcuts

@@ -10,11 +10,20 @@ namespace lightcuts {
 /// Reads a Wavefront `.obj` with its `.mtl`, or a glTF 2.0 `.gltf`/`.glb`.
 ///
 /// Everything comes out in world space, in the file's units. Kept: triangles (polygons are cut
-/// up), normals where present, one surface per material in use, glTF's omni ("point") lights with
-/// candela taken as W/sr, glTF's first perspective camera. Colours are the materials' factors.
-/// - MTL: diffuse Kd, specular Ks, exponent Ns, emission Ke. Ka, illum and opacity do nothing.
+/// up), normals where present, one surface per material in use, base-colour textures with their
+/// coordinates, glTF's omni ("point") lights with candela taken as W/sr, glTF's first perspective
+/// camera.
+/// - MTL: diffuse Kd times map_Kd, specular Ks, exponent Ns, emission Ke. Ka, illum, opacity and
+///   other maps do nothing, nor do the options of map_Kd except -clamp.
 /// - glTF: metallic-roughness as Cook-Torrance: diffuse = base (1 - metallic)(1 - 0.04), f0 =
-///   mix(0.04, base, metallic), alpha = roughness^2, at least 2^-14.
+///   mix(0.04, base, metallic), alpha = roughness^2, at least 2^-14, base being
+///   baseColorFactor times baseColorTexture. A sampler's wrapping counts, not its filters: lookups
+///   are bilinear. KHR_texture_transform counts unless it rotates.
+///
+/// Images are files, relative to the model's, or in a glTF's data URIs and buffers; each is loaded
+/// once (see decode_texture). Where one cannot be read or a mesh has no coordinates for it, a note
+/// says so and the material's factor alone is used.
+///
 /// Whatever was left out, made up or clamped is said in Scene::notes. Without a camera in the file
 /// the model is framed (see `framing`). A model without lights is no error.
 ///

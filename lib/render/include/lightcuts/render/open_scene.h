@@ -18,9 +18,10 @@ inline constexpr std::uint32_t max_image_side = 16384;
 [[nodiscard]] Scene open_scene(const std::string& spec);
 
 /// Throws InputError, naming the element, unless there are triangles, every index is in range,
-/// positions, normals and emissions are finite, normals are unit or zero, materials are valid, the
-/// camera has a direction and a field of view, and the image size is in [1, max_image_side].
-/// Lights are valid by construction; there may be none.
+/// positions, normals, texture coordinates and emissions are finite, normals are unit or zero,
+/// materials are valid, surfaces with a texture have texture coordinates, the camera has a
+/// direction and a field of view, and the image size is in [1, max_image_side]. Lights and
+/// textures are valid by construction; there may be none.
 void validate(const Scene& scene);
 
 } // namespace lightcuts
