@@ -167,14 +167,14 @@ void describe_needs(const SceneView& view, const Needs& needs, float threshold,
   const auto say = [&](bool is_needed, const std::string& text) {
     (is_needed ? needed : left_out).push_back(text);
   };
-  const auto say_kind = [&](LightKind kind, const char* lights) {
-    const bool has = (needs.kinds & only(kind)) != 0;
-    say(has, fmt::format("{}: {}", lights, has ? "some" : "none"));
-  };
-  say_kind(LightKind::omni, "omni lights");
-  say_kind(LightKind::oriented, "oriented lights");
-  say_kind(LightKind::spot, "spot lights");
-  say_kind(LightKind::directional, "directional lights");
+  std::vector<std::string> kinds[2]; // those there are not, and those there are
+  constexpr const char* names[] = {"omni", "oriented", "spot", "directional"};
+  for (int k = 0; k < light_kind_count; ++k)
+    kinds[(needs.kinds & only(LightKind(k))) != 0].emplace_back(names[k]);
+  for (const bool there : {true, false})
+    if (!kinds[there].empty())
+      say(there, fmt::format("{} lights{}", fmt::join(kinds[there], ", "),
+                             there ? "" : ": there are none"));
   say(needs.clamp, needs.clamp ? fmt::format("clamp: distances count as at least {:g} m",
                                              view.scene().lights.min_distance())
                                : "clamp: distances are taken as they are");

@@ -42,7 +42,8 @@ TEST(InfoCommand, SaysItAsJson) {
   EXPECT_EQ(json["lights"], 20);
   EXPECT_EQ(json["width"], 31);
   EXPECT_EQ(json["height"], 17);
-  EXPECT_EQ(json["needed"].size() + json["left_out"].size(), 3U);
+  EXPECT_EQ(json["needed"][0], "omni lights");
+  EXPECT_EQ(json["needed"].size() + json["left_out"].size(), 6U);
 }
 
 TEST(RenderCommand, WritesPicturesToTheFolder) {

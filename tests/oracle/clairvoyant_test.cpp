@@ -25,8 +25,7 @@ bool good_enough(const JudgedPoint& judged, std::uint32_t i, const Limits& limit
   if (node.is_leaf()) return true;
   const bool seen = judged.visible[node.representative] != 0;
   const glm::dvec3 estimate =
-      seen ? transfer(judged.point, judged.tree.lights()[node.representative].position) *
-                 node.intensity
+      seen ? transfer(judged.point, judged.tree.lights()[node.representative]) * node.intensity
            : glm::dvec3(0);
   for (int c = 0; c < 3; ++c) {
     const long double error = std::abs(estimate[c] - judged.truth.seen(i)[c]);
@@ -55,7 +54,7 @@ std::size_t found(const JudgedPoint& judged, const Limits& limits) {
 }
 
 RC_GTEST_PROP(ClairvoyantCut, IsTheSmallestOfAllGoodCuts, ()) {
-  const gen::Scene scene = *gen::scene(7);
+  const gen::Scene scene = *gen::plain_scene(7);
   const auto mask = *rc::gen::arbitrary<unsigned>();
   std::vector<char> visible;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) visible.push_back((mask >> i) & 1U);

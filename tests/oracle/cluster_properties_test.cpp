@@ -95,7 +95,7 @@ public:
   using BentSubject::BentSubject;
   [[nodiscard]] glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
                                     const glm::vec3& bound) const override {
-    return PaperRules::estimate(tree(), node, point, bound);
+    return PaperRules::estimate(tree(), node, point, NoLobe(), bound);
   }
 };
 

@@ -162,20 +162,24 @@ TEST(DescribeNeeds, SaysWhatIsNeededAndWhatIsLeftOut) {
   const SceneView view(scene);
   Needs needs;
   needs.sees_surface = true;
+  needs.kinds = only(LightKind::omni) | only(LightKind::spot);
   needs.pilot_cut_size = 12.5;
   needs.pilot_cost_of_cuts = 3;
   needs.pilot_cost_of_sums = 2;
   std::vector<std::string> needed, left_out;
   describe_needs(view, needs, 0.02F, needed, left_out);
-  EXPECT_TRUE(needed.empty());
+  EXPECT_THAT(needed, ElementsAre("omni, spot lights"));
   EXPECT_THAT(left_out,
-              ElementsAre(HasSubstr("specular bound"), HasSubstr("shadow rays"),
+              ElementsAre("oriented, directional lights: there are none", HasSubstr("clamp"),
+                          HasSubstr("specular bound"), HasSubstr("shadow rays"),
                           testing::AllOf(HasSubstr("light tree"), HasSubstr("2 %"),
                                          HasSubstr("12.5 of 20 lights"), HasSubstr("1.50 times"))));
-  needs.specular = needs.occlusion = needs.tree = true;
+  needs.specular = needs.occlusion = needs.tree = needs.clamp = true;
+  needs.kinds = all_light_kinds;
+  needed.clear();
   left_out.clear();
   describe_needs(view, needs, 0.02F, needed, left_out);
-  EXPECT_EQ(needed.size(), 3U);
+  EXPECT_EQ(needed.size(), 5U);
   EXPECT_TRUE(left_out.empty());
 }
 

@@ -72,7 +72,7 @@ TEST(LibrarySubject, GivesTheLibrarysOwnAnswers) {
   EXPECT_EQ(&subject->tree(), &tree);
   for (std::uint32_t i = 0; i < tree.nodes().size(); ++i)
     EXPECT_EQ(subject->bound(i, diffuse_point()),
-              contribution_bound(tree.node(i), diffuse_point()));
+              contribution_bound(tree, i, diffuse_point(), NoLobe()));
 }
 
 } // namespace

@@ -27,7 +27,7 @@ inline void add_level_square(Scene& scene, float half, float y) {
 inline Scene floor_scene(std::uint32_t lights) {
   Scene scene;
   scene.name = "floor";
-  scene.surfaces.push_back({"grey", {glm::vec3(0.5F), glm::vec3(0.2F), 20}});
+  scene.surfaces.push_back({"grey", {glm::vec3(0.5F), Phong{glm::vec3(0.2F), 20}}});
   add_level_square(scene, 2, 0);
   scene.camera = {{0, 3, 0.5F}, {0, 0, 0}, {0, 1, 0}, 30};
   scene.image_size = {16, 12};

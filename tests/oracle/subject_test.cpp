@@ -10,8 +10,10 @@ namespace lightcuts::oracle {
 namespace {
 
 struct DoubledBound : LightcutsRules {
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
-    return 2.0F * LightcutsRules::bound(tree, node, point);
+  template <class OneLobe>
+  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
+                         const OneLobe& lobe) {
+    return 2.0F * LightcutsRules::bound(tree, node, point, lobe);
   }
 };
 
@@ -23,7 +25,7 @@ TEST(RulesSubject, HasTheBoundOfItsRules) {
   EXPECT_EQ(subject.name(), "doubled");
   EXPECT_EQ(&subject.tree(), &tree);
   EXPECT_EQ(subject.bound(0, diffuse_point()),
-            2.0F * contribution_bound(tree.node(0), diffuse_point()));
+            2.0F * contribution_bound(tree, 0, diffuse_point(), NoLobe()));
 }
 
 TEST(RulesSubject, SelectsWithItsRulesConfigurationAndVisibility) {

@@ -110,8 +110,9 @@ TEST(BuiltinScenes, refuse_unknown_names_and_parameters) {
   expect_refusal("desk-red: parameter 'x' is unknown", [] { (void)make_builtin("desk-red?x=1"); });
   expect_refusal("bedroom: parameter 'seed' is unknown",
                  [] { (void)make_builtin("bedroom?seed=3"); });
-  expect_refusal("cloud: parameter 'light' is unknown; known: lights, blocks, material, seed",
-                 [] { (void)make_builtin("cloud?light=3"); });
+  expect_refusal(
+      "cloud: parameter 'light' is unknown; known: lights, blocks, material, kind, clamp, seed",
+      [] { (void)make_builtin("cloud?light=3"); });
 }
 
 TEST(BuiltinScenes, refuse_bad_values) {
@@ -128,7 +129,7 @@ TEST(BuiltinScenes, refuse_bad_values) {
   refuses("cloud?lights=3&&seed=1", "parameter '' has no value");
   refuses("cloud?seed=1&seed=2", "cloud: parameter 'seed' is given twice");
   refuses("cloud?blocks=100001", "cloud: parameter 'blocks' is 100001, expected 0 to 100000");
-  refuses("cloud?material=metal", "'metal', expected diffuse or glossy");
+  refuses("cloud?material=metal", "'metal', expected one of diffuse, phong, ward, ggx, glossy");
 }
 
 TEST(DeskScene, has_a_light_a_centimetre_in_front_of_each_cell_of_the_screen) {

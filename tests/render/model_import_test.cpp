@@ -98,7 +98,7 @@ TEST_F(ModelImport, drops_triangles_without_area_and_says_how_many) {
 TEST_F(ModelImport, clamps_a_huge_exponent_and_says_so) {
   write(folder_.path / "e.mtl", "newmtl mirror\nKs 1 1 1\nNs 1e9\n");
   const Scene scene = import("e.obj", "mtllib e.mtl\n" + triangle + "usemtl mirror\nf 1 2 3\n");
-  EXPECT_EQ(scene.surfaces.at(0).material.exponent, Phong::max_exponent);
+  EXPECT_EQ(std::get<Phong>(scene.surfaces.at(0).material.lobe).exponent, Phong::max_exponent);
   EXPECT_TRUE(has_note(scene, "material 'mirror': exponent 1000000000 is clamped to 1048576"));
 }
 
@@ -215,11 +215,12 @@ TEST_F(ModelImport, reads_metallic_roughness_as_cook_torrance) {
   expect_near(surface.emission, {0.1F, 0.2F, 0.3F});
 }
 
-TEST_F(ModelImport, maps_the_ends_of_roughness_into_the_exponents_domain) {
-  for (const auto& [roughness, exponent] : {std::pair{0.0, Phong::max_exponent}, {1.0, 0.0F}}) {
+TEST_F(ModelImport, maps_the_ends_of_roughness_into_alphas_domain) {
+  for (const auto& [roughness, alpha] : {std::pair{0.0, CookTorrance::min_alpha}, {1.0, 1.0F}}) {
     nlohmann::json gltf = test::gltf();
     gltf["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = roughness;
-    EXPECT_EQ(import("r.gltf", gltf.dump()).surfaces.at(0).material.exponent, exponent);
+    const Material material = import("r.gltf", gltf.dump()).surfaces.at(0).material;
+    EXPECT_EQ(std::get<CookTorrance>(material.lobe).alpha, alpha);
   }
 }
 

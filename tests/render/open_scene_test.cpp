@@ -65,7 +65,7 @@ Scene valid_scene() {
   scene.mesh.normals = {{0, 0, 0}, {0, 0, 1}, {0, 0, 1}};
   scene.mesh.triangles = {{0, 1, 2}};
   scene.mesh.surface = {0};
-  scene.surfaces = {{"paint", {{0.5F, 0.5F, 0.5F}, {}, 0}, {}}};
+  scene.surfaces = {{"paint", {{0.5F, 0.5F, 0.5F}, {}}}};
   return scene;
 }
 
@@ -92,8 +92,9 @@ TEST(Validate, refuses_broken_scenes) {
   });
   refuses("surface 'paint': diffuse.g is -1",
           [](Scene& s) { s.surfaces[0].material.diffuse.g = -1; });
-  refuses("surface 'paint': exponent is nan",
-          [&](Scene& s) { s.surfaces[0].material.exponent = nan; });
+  refuses("surface 'paint': exponent is nan", [&](Scene& s) {
+    s.surfaces[0].material.lobe = Phong{{}, nan};
+  });
   refuses("surface 'paint': emission.r is -1", [](Scene& s) { s.surfaces[0].emission.r = -1; });
   refuses("camera: fov is 180", [](Scene& s) { s.camera.vertical_fov = 180; });
   refuses("camera: fov is nan", [&](Scene& s) { s.camera.vertical_fov = nan; });
@@ -127,8 +128,7 @@ TEST(Validate, refuses_broken_textures) {
   refuses("a texture, but the mesh has no texture coordinates", [](Scene& s) { s.mesh.uv = {}; });
   refuses("tinted_f0.g is 0.5, expected 0 to 0.25",
           [](Scene& s) { s.surfaces[0].texture->tinted_f0.g = 0.5F; });
-  refuses("tinted_f0.r is -1",
-          [](Scene& s) { s.surfaces[0].texture->tinted_f0.r = -1; });
+  refuses("tinted_f0.r is -1", [](Scene& s) { s.surfaces[0].texture->tinted_f0.r = -1; });
   refuses("tinted_f0.b is nan",
           [](Scene& s) { s.surfaces[0].texture->tinted_f0.b = std::nanf(""); });
 }

@@ -98,7 +98,7 @@ TEST(SceneView, DoesNotSeeThroughAFloorOfSmoothNormals) {
   const SceneView view(scene);
   int before_normal = 0;
   for_each_point(view, [&](const VisiblePoint& p) {
-    if (transfer(p.point, scene.lights[0].position) == glm::dvec3(0)) return;
+    if (transfer(p.point, scene.lights[0]) == glm::dvec3(0)) return;
     ++before_normal;
     EXPECT_FALSE(view.sees(p, 0));
   });

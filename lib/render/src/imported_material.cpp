@@ -34,23 +34,24 @@ Material from_mtl(const aiMaterial& source, const std::string& where,
         fmt::format("{}: exponent {} is clamped to {}", where, exponent, Phong::max_exponent));
     exponent = Phong::max_exponent;
   }
-  return diffuse_and_phong(colour(source, AI_MATKEY_COLOR_DIFFUSE),
-                           colour(source, AI_MATKEY_COLOR_SPECULAR), exponent);
+  const Phong phong{colour(source, AI_MATKEY_COLOR_SPECULAR), exponent};
+  phong.validate(); // even if it is black, and left out
+  return diffuse_and_phong(colour(source, AI_MATKEY_COLOR_DIFFUSE), phong.reflectance, exponent);
 }
 
-float unit_factor(float value, const char* name, const std::string& where) {
+float unit_factor(float value, const char* name) {
   if (!(value >= 0 && value <= 1))
-    throw InputError(fmt::format("{}: {} is {}, expected 0 to 1", where, name, value));
+    throw InputError(fmt::format("{} is {}, expected 0 to 1", name, value));
   return value;
 }
 
 /// glTF 2.0, appendix B, with a diffuse part that does not vary with the angle.
-Material from_metallic_roughness(const aiMaterial& source, const std::string& where) {
+Material from_metallic_roughness(const aiMaterial& source) {
   const glm::vec3 base = colour(source, AI_MATKEY_BASE_COLOR);
   const float metallic =
-      unit_factor(number(source, AI_MATKEY_METALLIC_FACTOR, 1), "metallicFactor", where);
+      unit_factor(number(source, AI_MATKEY_METALLIC_FACTOR, 1), "metallicFactor");
   const float roughness =
-      unit_factor(number(source, AI_MATKEY_ROUGHNESS_FACTOR, 1), "roughnessFactor", where);
+      unit_factor(number(source, AI_MATKEY_ROUGHNESS_FACTOR, 1), "roughnessFactor");
   return {base * (1 - metallic) * (1 - dielectric),
           CookTorrance{glm::mix(glm::vec3(dielectric), base, metallic),
                        std::max(roughness * roughness, CookTorrance::min_alpha)}};
@@ -62,10 +63,9 @@ Surface surface_of(const aiMaterial& source, bool is_gltf, const std::string& wh
                    std::vector<std::string>& notes) {
   Surface surface;
   surface.name = source.GetName().C_Str();
-  surface.material =
-      is_gltf ? from_metallic_roughness(source, where) : from_mtl(source, where, notes);
   surface.emission = colour(source, AI_MATKEY_COLOR_EMISSIVE);
   try {
+    surface.material = is_gltf ? from_metallic_roughness(source) : from_mtl(source, where, notes);
     validate(surface.material);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", where, error.what()));
