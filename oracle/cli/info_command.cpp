@@ -18,6 +18,7 @@ struct Facts {
   Box box;
   std::vector<std::string> needed, left_out;
   float black_level = 0;
+  oracle::KernelSaving saving;
 };
 
 Facts facts_of(const Scene& scene, const CommonOptions& options) {
@@ -32,6 +33,7 @@ Facts facts_of(const Scene& scene, const CommonOptions& options) {
   const Needs needs = find_needs(view, tree, {threshold, options.max_cut, 0});
   facts.black_level = needs.black_level;
   oracle::describe_needs(view, needs, threshold, facts.needed, facts.left_out);
+  facts.saving = oracle::measure_kernels(scene, tree, needs, {threshold, options.max_cut, 0});
   return facts;
 }
 
@@ -51,25 +53,33 @@ std::string table_of(const Scene& scene, const Facts& facts) {
                       facts.black_level);
   for (const std::string& line : facts.needed) text += "needed       " + line + "\n";
   for (const std::string& line : facts.left_out) text += "left out     " + line + "\n";
+  const oracle::KernelSaving& s = facts.saving;
+  text += fmt::format(
+      "saved        {:.2f} times as fast as the general kernel, which leaves nothing "
+      "out ({:.3g} s against {:.3g} s for a small picture)\n",
+      s.general_seconds / s.specialised_seconds, s.specialised_seconds, s.general_seconds);
   return text;
 }
 
 std::string json_of(const CommonOptions& options, const Scene& scene, const Facts& facts) {
-  const nlohmann::ordered_json json{{"schema", "lightcuts-oracle/info/1"},
-                                    {"scene", options.scene},
-                                    {"triangles", scene.mesh.triangles.size()},
-                                    {"surfaces", scene.surfaces.size()},
-                                    {"lights", scene.lights.size()},
-                                    {"width", scene.image_size.x},
-                                    {"height", scene.image_size.y},
-                                    {"box",
-                                     {{facts.box.lo.x, facts.box.lo.y, facts.box.lo.z},
-                                      {facts.box.hi.x, facts.box.hi.y, facts.box.hi.z}}},
-                                    {"emissive_triangles", facts.emissive},
-                                    {"black_level", facts.black_level},
-                                    {"needed", facts.needed},
-                                    {"left_out", facts.left_out},
-                                    {"notes", scene.notes}};
+  const nlohmann::ordered_json json{
+      {"schema", "lightcuts-oracle/info/1"},
+      {"scene", options.scene},
+      {"triangles", scene.mesh.triangles.size()},
+      {"surfaces", scene.surfaces.size()},
+      {"lights", scene.lights.size()},
+      {"width", scene.image_size.x},
+      {"height", scene.image_size.y},
+      {"box",
+       {{facts.box.lo.x, facts.box.lo.y, facts.box.lo.z},
+        {facts.box.hi.x, facts.box.hi.y, facts.box.hi.z}}},
+      {"emissive_triangles", facts.emissive},
+      {"black_level", facts.black_level},
+      {"needed", facts.needed},
+      {"left_out", facts.left_out},
+      {"general_kernel_seconds", facts.saving.general_seconds},
+      {"specialised_kernel_seconds", facts.saving.specialised_seconds},
+      {"notes", scene.notes}};
   return text_of(json);
 }
 

@@ -194,6 +194,25 @@ void describe_needs(const SceneView& view, const Needs& needs, float threshold,
                   needs.pilot_cost_of_cuts / needs.pilot_cost_of_sums));
 }
 
+KernelSaving measure_kernels(const Scene& scene, const LightTree& tree, const Needs& needs,
+                             const CutConfig& config) {
+  Scene small = scene;
+  const std::uint32_t side = std::max(scene.image_size.x, scene.image_size.y);
+  small.image_size = glm::max(glm::uvec2(1), scene.image_size * 64U / std::max(64U, side));
+  const SceneView view(small);
+  RenderConfig own{.cut = config, .use_tree = needs.tree, .threads = 1};
+  own.cut.black_level = needs.black_level;
+  RenderConfig general = own;
+  general.use_tree = true;
+  general.specialise = false;
+  std::vector<double> own_seconds, general_seconds;
+  for (int run = 0; run < 5; ++run) {
+    own_seconds.push_back(render(view, tree, own).seconds);
+    general_seconds.push_back(render(view, tree, general).seconds);
+  }
+  return {median(general_seconds), median(own_seconds)};
+}
+
 Measurement measure(const SceneView& view, const MeasureConfig& config) {
   const auto start = std::chrono::steady_clock::now();
   const LightTree tree = build(view.scene().lights, {config.seed});

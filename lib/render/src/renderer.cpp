@@ -42,9 +42,9 @@ Lit light_by_sum(const SceneView& view, const VisiblePoint& p) {
   return lit;
 }
 
-template <class Selector>
-Lit light_by_cut(const SceneView& view, const VisiblePoint& p, Selector& select) {
-  const Cut cut = select(p.point, [&](std::uint32_t light) { return view.sees(p, light); });
+template <class Selector, class Visible>
+Lit light_by_cut(const VisiblePoint& p, Selector& select, Visible&& visible) {
+  const Cut cut = select(p.point, visible);
   return {cut.radiance, cut.certified_error, static_cast<float>(cut.clusters.size()),
           static_cast<float>(cut.shadow_rays), cut.end};
 }
@@ -111,12 +111,15 @@ Rendering render_tiles(const SceneView& view, const RenderConfig& config, State&
 template <template <class> class Rules>
 Rendering render_by_cuts(const SceneView& view, const LightTree& tree, const RenderConfig& config) {
   CutConfig cut = config.cut;
-  cut.unoccluded = !view.may_occlude();
+  cut.unoccluded = config.specialise && !view.may_occlude();
   const auto render_with = [&](auto features) {
     using Selector = BasicCutSelector<Rules<decltype(features)>>;
     return render_tiles(
         view, config, [&] { return Selector(tree, cut); },
-        [&](const VisiblePoint& p, Selector& select) { return light_by_cut(view, p, select); });
+        [&](const VisiblePoint& p, Selector& select) {
+          return light_by_cut(p, select,
+                              [&](std::uint32_t light) { return view.casts_to(p, light); });
+        });
   };
   if (!config.specialise) return render_with(AnyFeatures());
   return with_features(tree.lights(), view.may_occlude(), render_with);

@@ -201,14 +201,24 @@ inline glm::dvec3 corner(const Box& box, int bits, const glm::vec3& x) {
 template <class Falloff>
 [[nodiscard]] double min_cosine_times(const glm::vec3& n, const glm::vec3& x, const Box& box,
                                       Falloff&& falloff) {
+  double dots[3][2], squares[3][2];
+  double scale = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int high = 0; high < 2; ++high) {
+      const double q = double(high ? box.hi[i] : box.lo[i]) - x[i];
+      dots[i][high] = n[i] * q;
+      squares[i][high] = q * q;
+      scale = std::max(scale, std::abs(dots[i][high]));
+    }
   double least = std::numeric_limits<double>::infinity();
   for (int bits = 0; bits < 8; ++bits) {
-    const glm::vec3 y((bits & 1) != 0 ? box.hi.x : box.lo.x, (bits & 2) != 0 ? box.hi.y : box.lo.y,
-                      (bits & 4) != 0 ? box.hi.z : box.lo.z);
-    const double n_dot_q = dot_between(n, x, y);
+    const int a = bits & 1, b = bits >> 1 & 1, c = bits >> 2;
+    double n_dot_q = dots[0][a] + dots[1][b] + dots[2][c];
+    if (std::abs(n_dot_q) < 0x1p-14 * scale) [[unlikely]] // a sum that may have lost its digits
+      n_dot_q = dot_between(
+          n, x, {a ? box.hi.x : box.lo.x, b ? box.hi.y : box.lo.y, c ? box.hi.z : box.lo.z});
     if (n_dot_q <= 0) return 0;
-    double length2 = 0;
-    for (int i = 0; i < 3; ++i) length2 += (double(y[i]) - x[i]) * (double(y[i]) - x[i]);
+    const double length2 = squares[0][a] + squares[1][b] + squares[2][c];
     least = std::min(least, n_dot_q / std::sqrt(length2) * falloff(length2));
   }
   return least;

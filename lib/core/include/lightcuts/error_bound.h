@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <variant>
+#include <type_traits>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/box_bounds.h>
@@ -28,55 +28,56 @@ namespace detail {
 inline constexpr double bound_inflation = 1 + 0x1p-26;
 static_assert(4 * box_bound_error + power_error + 0x1p-48 < 0x1p-26);
 
-/// Suprema over the box, n about unit, q = y - from.
-struct Reach {
-  double cosine_falloff; ///< of n.l falloff, in one or as a product; times the length of n
-  double falloff;        ///< of the falloff alone
-};
-
-/// Tight: both factors in one.
+/// Supremum of n.l falloff over the box, n about unit, times the length of n. Tight: both factors
+/// in one.
 template <class Features>
-Reach joint_reach(LightKind kind, const glm::vec3& n, const glm::vec3& from, const Box& box,
-                  double min_distance2) {
-  if (Features::known(kind) == LightKind::directional) return {max_cosine(n, from, box), 1};
-  Reach reach{max_cosine_over_distance2(n, from, box), 1 / lightcuts::min_distance2(from, box)};
+double joint_reach(LightKind kind, const glm::vec3& n, const glm::vec3& from, const Box& box,
+                   double min_distance2) {
+  if (Features::known(kind) == LightKind::directional) return max_cosine(n, from, box);
+  const double reach = max_cosine_over_distance2(n, from, box);
+  // The clamped one is the smaller of two, and so is its supremum at most.
   if constexpr (Features::clamps)
-    if (min_distance2 > 0) {
-      reach.falloff = std::min(reach.falloff, 1 / min_distance2);
-      // The clamped one is the smaller of two, and so is its supremum at most.
-      if (reach.cosine_falloff > 0)
-        reach.cosine_falloff =
-            std::min(reach.cosine_falloff, max_cosine(n, from, box) / min_distance2);
-    }
+    if (min_distance2 > 0 && reach > 0)
+      return std::min(reach, max_cosine(n, from, box) / min_distance2);
   return reach;
+}
+
+/// Supremum of the falloff alone.
+template <class Features>
+double falloff_reach(LightKind kind, const glm::vec3& from, const Box& box, double min_distance2) {
+  if (Features::known(kind) == LightKind::directional) return 1;
+  double nearest2 = lightcuts::min_distance2(from, box);
+  if constexpr (Features::clamps) nearest2 = std::max(nearest2, min_distance2);
+  return 1 / nearest2;
 }
 
 /// As the paper has it: the product of separate maxima.
 template <class Features>
-Reach product_reach(LightKind kind, const glm::vec3& n, const glm::vec3& from, const Box& box,
-                    double min_distance2) {
+double product_reach(LightKind kind, const glm::vec3& n, const glm::vec3& from, const Box& box,
+                     double min_distance2) {
   const double cosine = max_cosine(n, from, box);
-  if (Features::known(kind) == LightKind::directional) return {cosine, 1};
-  double nearest2 = lightcuts::min_distance2(from, box);
-  if constexpr (Features::clamps) nearest2 = std::max(nearest2, min_distance2);
-  return {cosine == 0 ? 0 : cosine / nearest2, 1 / nearest2};
+  return cosine == 0 ? 0 : cosine * falloff_reach<Features>(kind, from, box, min_distance2);
 }
 
 /// intensity emission (diffuse/pi max(n.l falloff) + max(lobe n.l falloff)), rounded up.
 template <class Features, class OneLobe>
 glm::vec3 bound_of_cluster(const LightTree& tree, std::uint32_t i, const ShadingPoint& point,
-                           const OneLobe& lobe, const Reach& reach, const glm::vec3& from) {
+                           const OneLobe& lobe, double reach, const glm::vec3& from) {
   const TreeNode& cluster = tree.node(i);
-  if (reach.cosine_falloff == 0) return glm::vec3(0);
-  const double geometric = reach.cosine_falloff * point.inverse_normal_length() * bound_inflation;
+  if (reach == 0) return glm::vec3(0);
+  const double geometric = reach * point.inverse_normal_length() * bound_inflation;
   double emitted = 1;
   if constexpr (Features::has_axes)
     if (Features::uniform || (cluster.kinds & kinds_with_axis) != 0) {
       emitted = max_emission(Features::known(cluster.kind()), tree.emission(i), from, cluster.box);
       if (emitted == 0) return glm::vec3(0);
     }
-  const glm::dvec3 shine =
-      lobe.bound(BoxSight{point, from, cluster.box, geometric, reach.falloff * bound_inflation});
+  glm::dvec3 shine(0);
+  if constexpr (!std::is_same_v<OneLobe, NoLobe>) {
+    const double falloff =
+        falloff_reach<Features>(cluster.kind(), from, cluster.box, tree.min_distance2());
+    shine = lobe.bound(BoxSight{point, from, cluster.box, geometric, falloff * bound_inflation});
+  }
   glm::vec3 bound;
   for (int c = 0; c < 3; ++c) {
     const double diffuse = point.material().diffuse[c] * std::numbers::inv_pi;
@@ -123,8 +124,8 @@ template <class Features = AnyFeatures, class OneLobe>
   return detail::rounded_up(detail::over_kinds<Features>(tree, node, [&](std::uint32_t i) {
     const LightKind kind = tree.node(i).kind();
     const glm::vec3 from = viewed_from(Features::known(kind), point.position());
-    const auto reach = detail::joint_reach<Features>(kind, point.normal(), from, tree.node(i).box,
-                                                     tree.min_distance2());
+    const double reach = detail::joint_reach<Features>(kind, point.normal(), from, tree.node(i).box,
+                                                       tree.min_distance2());
     return glm::dvec3(detail::bound_of_cluster<Features>(tree, i, point, lobe, reach, from));
   }));
 }
@@ -136,8 +137,8 @@ template <class Features = AnyFeatures, class OneLobe>
   return detail::rounded_up(detail::over_kinds<Features>(tree, node, [&](std::uint32_t i) {
     const LightKind kind = tree.node(i).kind();
     const glm::vec3 from = viewed_from(Features::known(kind), point.position());
-    const auto reach = detail::product_reach<Features>(kind, point.normal(), from, tree.node(i).box,
-                                                       tree.min_distance2());
+    const double reach = detail::product_reach<Features>(kind, point.normal(), from,
+                                                         tree.node(i).box, tree.min_distance2());
     return glm::dvec3(detail::bound_of_cluster<Features>(tree, i, point, lobe, reach, from));
   }));
 }

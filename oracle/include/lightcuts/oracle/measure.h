@@ -36,6 +36,16 @@ struct Measurement {
 /// light or the camera sees nothing.
 [[nodiscard]] Measurement measure(const SceneView& view, const MeasureConfig& config);
 
+/// What leaving out what the scene does not need saves.
+struct KernelSaving {
+  double general_seconds = 0; ///< cuts by the kernel for any scene, see RenderConfig::specialise
+  double specialised_seconds = 0; ///< what lightcuts does on this scene
+};
+
+/// Renders a small picture of the scene both ways, in turn, five times on one thread; medians.
+[[nodiscard]] KernelSaving measure_kernels(const Scene& scene, const LightTree& tree,
+                                           const Needs& needs, const CutConfig& config);
+
 /// What a scene needs of the algorithm, in words, and what is left out.
 void describe_needs(const SceneView& view, const Needs& needs, float threshold,
                     std::vector<std::string>& needed, std::vector<std::string>& left_out);

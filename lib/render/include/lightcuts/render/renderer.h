@@ -31,7 +31,8 @@ struct RenderConfig {
   Method method = Method::lightcuts;
   CutConfig cut;                        ///< for Method::lightcuts
   bool use_tree = true;                 ///< false: lightcuts sums all lights, see Needs::tree
-  bool specialise = true;               ///< false: the kernel for any scene, to compare with
+  bool specialise = true;               ///< false: cuts by the kernel for any scene, which casts
+                                        ///< every shadow ray; to compare with
   unsigned threads = 0;                 ///< 0: one per core; default 0
   std::function<void(double)> progress; ///< called with the share done, by any thread; may be empty
 };

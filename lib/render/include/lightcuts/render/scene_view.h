@@ -39,7 +39,11 @@ public:
 
   /// Whether light i is seen from there.
   [[nodiscard]] bool sees(const VisiblePoint& from, std::uint32_t light) const {
-    return !may_occlude_ || !occluder_.occluded(ray_to(from, light));
+    return !may_occlude_ || casts_to(from, light);
+  }
+  /// The same by a shadow ray, needed or not.
+  [[nodiscard]] bool casts_to(const VisiblePoint& from, std::uint32_t light) const {
+    return !occluder_.occluded(ray_to(from, light));
   }
 
   /// The shadow ray for that: to a directional light, out of the scene.
