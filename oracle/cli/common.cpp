@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "common.h"
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -8,9 +9,13 @@
 #include <unistd.h>
 
 #include <lightcuts/input_error.h>
+#include <lightcuts/render/area_lights.h>
+#include <lightcuts/render/environment_lights.h>
 #include <lightcuts/render/light_generator.h>
 #include <lightcuts/render/open_scene.h>
 #include <lightcuts/render/output_folder.h>
+#include <lightcuts/render/surfels.h>
+#include <lightcuts/render/virtual_point_lights.h>
 
 namespace lightcuts::cli {
 namespace {
@@ -32,6 +37,16 @@ std::string check_not_negative(const std::string& text) {
   return text.starts_with('-') ? "'" + text + "' is negative" : "";
 }
 
+std::string check_distance(const std::string& text) {
+  float distance = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, distance);
+  const bool whole = error == std::errc() && rest == end;
+  return whole && distance > 0 && std::isfinite(distance)
+             ? ""
+             : "'" + text + "' is not a finite number above 0";
+}
+
 constexpr unsigned max_threads = 1024;
 
 /// Known before the long job, not after.
@@ -46,16 +61,74 @@ void require_writable(const std::filesystem::path& file) {
     throw InputError(file.string() + ": cannot be written");
 }
 
+/// The scene's own lights give way to a cloud; where they are clamped stays.
+void replace_lights(const CommonOptions& options, Scene& scene) {
+  const float min_distance = scene.lights.min_distance();
+  scene.lights = LightSet();
+  if (min_distance > 0) scene.lights.set_min_distance(min_distance);
+  generate(default_cloud(scene.mesh, options.lights, options.seed), scene.lights);
+}
+
+void make_lights(const CommonOptions& options, Scene& scene) {
+  if (options.lights > 0) replace_lights(options, scene);
+  if (options.min_distance) scene.lights.set_min_distance(*options.min_distance);
+  if (options.area_lights > 0)
+    add_area_lights(scene, {.count = options.area_lights, .seed = options.seed});
+  if (!options.environment.empty())
+    add_environment_lights(scene, read_environment(options.environment),
+                           {.count = options.environment_lights});
+  if (options.vpls > 0)
+    add_virtual_point_lights(scene, {.paths = options.vpls, .seed = options.seed});
+  if (options.surfels > 0)
+    add_surfels(scene,
+                {.count = options.surfels, .seed = options.seed, .threads = options.threads});
+}
+
 Scene opened(const CommonOptions& options) {
   if (!options.json.empty() && options.json != "-") require_writable(options.json);
   Scene scene = open_scene(options.scene);
   if (!options.size.empty()) scene.image_size = *parse_size(options.size);
-  if (options.lights > 0) {
-    scene.lights = LightSet();
-    generate(default_cloud(scene.mesh, options.lights, options.seed), scene.lights);
+  try {
+    make_lights(options, scene);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", options.scene, error.what()));
   }
   validate(scene);
   return scene;
+}
+
+/// What adds to the scene's lights.
+void add_light_options(CLI::App& command, CommonOptions& options) {
+  command
+      .add_option("--area-lights", options.area_lights,
+                  "add so many lights on the surfaces that emit, or one on each of their "
+                  "triangles if those are more; default: none")
+      ->check(check_positive);
+  CLI::Option* environment = command.add_option(
+      "--environment", options.environment,
+      "add directional lights after this latitude-longitude image (.exr, .hdr); default: none");
+  command
+      .add_option("--environment-lights", options.environment_lights,
+                  "how many lights --environment adds")
+      ->needs(environment)
+      ->check(check_positive)
+      ->capture_default_str();
+  CLI::Option* vpls =
+      command
+          .add_option("--vpls", options.vpls,
+                      "add virtual point lights along so many light paths; default: none")
+          ->check(check_positive);
+  command
+      .add_option("--surfels", options.surfels,
+                  "add the light that surfaces reflect once, sampled at so many points; "
+                  "default: none")
+      ->excludes(vpls) // both have the first reflection
+      ->check(check_positive);
+  command
+      .add_option("--min-distance", options.min_distance,
+                  "clamp distances to lights to this, metres, against bright spots around VPLs and "
+                  "surfels; default: the scene's")
+      ->check(check_distance);
 }
 
 void print_notes(const Scene& scene) {
@@ -114,6 +187,7 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
                   "light the scene with so many random lights in its upper half instead of its "
                   "own; default: the scene's")
       ->check(check_positive);
+  add_light_options(command, options);
   command.add_option("--json", options.json,
                      "write the results to this file as JSON; '-': to stdout, and no table; "
                      "default: no JSON");

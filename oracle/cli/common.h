@@ -27,11 +27,18 @@ struct CommonOptions {
   std::uint32_t max_cut = 1000;
   std::string size;
   std::uint32_t lights = 0;
+  std::uint32_t area_lights = 0;
+  std::string environment;
+  std::uint32_t environment_lights = 1024;
+  std::uint32_t vpls = 0;
+  std::uint32_t surfels = 0;
+  std::optional<float> min_distance;
   std::string out;
   std::string json;
 };
 
-/// Adds SCENE, --seed, --threads, --max-cut, --size, --lights and --json.
+/// Adds SCENE, --seed, --threads, --max-cut, --size, --json, and what makes lights: --lights,
+/// --area-lights, --environment, --environment-lights, --vpls, --surfels and --min-distance.
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_threshold_option(CLI::App& command, CommonOptions& options);
 void add_out_option(CLI::App& command, CommonOptions& options);
@@ -45,8 +52,9 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 /// A CLI11 check: what is wrong with the text as a number above 0, or nothing.
 [[nodiscard]] std::string check_positive(const std::string& text);
 
-/// Opens options.scene and applies --size and --lights. Throws InputError, also where --json cannot
-/// be written; says on stderr what the reader of the scene noted.
+/// Opens options.scene and applies --size and the options that make lights, in the order in which
+/// add_common_options names them: VPLs and surfels reflect all the others. Throws InputError, also
+/// where --json cannot be written; says on stderr what the reader of the scene noted.
 [[nodiscard]] Scene open_scene_for(const CommonOptions& options);
 
 /// The same for commands that cannot do without light: throws InputError where there is none.

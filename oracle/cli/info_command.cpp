@@ -37,17 +37,31 @@ Facts facts_of(const Scene& scene, const CommonOptions& options) {
   return facts;
 }
 
+/// "216 omni, 2000 oriented".
+std::string lights_by_kind(const LightSet& lights) {
+  constexpr const char* names[] = {"omni", "oriented", "spot", "directional"};
+  std::size_t counts[light_kind_count] = {};
+  for (const Light& light : lights) ++counts[static_cast<int>(light.kind)];
+  std::string text;
+  for (int kind = 0; kind < light_kind_count; ++kind)
+    if (counts[kind] > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[kind], names[kind]);
+  return text.empty() ? "none" : text;
+}
+
 std::string table_of(const Scene& scene, const Facts& facts) {
   const glm::vec3& lo = facts.box.lo;
   const glm::vec3& hi = facts.box.hi;
   std::string text = fmt::format(
-      "scene        {}\ntriangles    {}\nsurfaces     {}\nlights       {} omni\nimage        "
+      "scene        {}\ntriangles    {}\nsurfaces     {}\nlights       {}\nimage        "
       "{} x {}\nbox          ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n",
-      scene.name, scene.mesh.triangles.size(), scene.surfaces.size(), scene.lights.size(),
+      scene.name, scene.mesh.triangles.size(), scene.surfaces.size(), lights_by_kind(scene.lights),
       scene.image_size.x, scene.image_size.y, lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
   if (facts.emissive > 0)
-    text += fmt::format("emission     {} triangles glow for the camera; they light nothing\n",
-                        facts.emissive);
+    text +=
+        fmt::format("emission     {} triangles glow for the camera; they light nothing but through "
+                    "area lights\n",
+                    facts.emissive);
   if (scene.lights.empty()) return text + "no lights: add some with --lights 1000\n";
   text += fmt::format("black level  {:.3g} (radiance below which errors are not chased)\n",
                       facts.black_level);

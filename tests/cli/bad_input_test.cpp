@@ -89,6 +89,26 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"MissingGeometry", "far.json", "{\"geometry\": \"nowhere.obj\"}", {"nowhere.obj"}},
         BadFile{
             "UnknownMember", "typo.json", scene_json("\"ligths\": []"), {"typo.json", "ligths"}},
+        BadFile{"UnknownTypeOfLight",
+                "laser.json",
+                scene_json(R"("lights": [{"type": "laser"}])"),
+                {"laser.json", "/lights/0/type", "'laser'"}},
+        BadFile{"AngleOutOfRange",
+                "wide.json",
+                scene_json(R"("lights": [{"type": "spot", "position": [0, 1, 0], "outer": 190}])"),
+                {"wide.json", "/lights/0/outer", "190"}},
+        BadFile{"NothingThatEmits",
+                "unlit.json",
+                scene_json(R"("lights": [{"generate": "area", "count": 5}])"),
+                {"unlit.json", "/lights/0", "no surface emits light"}},
+        BadFile{"MissingEnvironment",
+                "night.json",
+                scene_json(R"("lights": [{"generate": "environment", "file": "nowhere.exr"}])"),
+                {"night.json", "/lights/0", "nowhere.exr"}},
+        BadFile{"NegativeDistance",
+                "near.json",
+                scene_json(R"("min_distance": -1)"),
+                {"near.json", "/min_distance", "-1"}},
         BadFile{"ZeroWidth",
                 "size.json",
                 scene_json("\"image\": {\"width\": 0, \"height\": 9}"),
@@ -131,6 +151,71 @@ TEST(InputLights, CanBeAdded) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(oracle.run({"info", "dark room.obj"}).exit_code, 0);
   EXPECT_EQ(oracle.run({"check", "--lights", "100000001"}).exit_code, 3);
+}
+
+TEST(InputLights, CanBeMadeOfWhatShines) {
+  const OracleProcess oracle;
+  write(oracle.folder() / "square.obj", square);
+  write(oracle.folder() / "lit.json",
+        scene_json(R"("lights": [{"position": [0, 1, 0], "intensity": 1}])"));
+  const auto notes = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"info", "lit.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = oracle.run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(notes({"--vpls", "50", "--min-distance", "0.1"}), HasSubstr("from 50 light paths"));
+  EXPECT_THAT(notes({"--surfels", "40"}), HasSubstr("from 40 surfels"));
+  // A picture's pixels as radiances: one that the program itself has drawn.
+  EXPECT_EQ(oracle.run({"render", "lit.json", "--size", "8x4", "--out", "out"}).exit_code, 0);
+  EXPECT_THAT(notes({"--environment", "out/image.exr", "--environment-lights", "3"}),
+              HasSubstr("3 directional lights from out/image.exr"));
+  EXPECT_THAT(oracle.run({"info", "desk", "--area-lights", "500"}).err,
+              HasSubstr("500 area lights from 432 triangles"));
+}
+
+TEST(InputLights, AreRefusedWhereNothingShines) {
+  const OracleProcess oracle;
+  write(oracle.folder() / "dark.obj", square);
+  write(oracle.folder() / "text.exr", "not an image");
+  const auto refuses = [&](const std::string& option, const std::string& value,
+                           const std::string& why) {
+    expect_refusal(oracle.run({"check", "dark.obj", option, value}), {"dark.obj", why});
+  };
+  refuses("--area-lights", "5", "no surface emits light");
+  refuses("--vpls", "5", "no light to start from");
+  refuses("--surfels", "5", "no light to reflect");
+  refuses("--environment", "text.exr", "text.exr");
+  refuses("--area-lights", "100000001", "count is 100000001");
+}
+
+void expect_usage(const std::vector<std::vector<std::string>>& all) {
+  const OracleProcess oracle;
+  for (const std::vector<std::string>& options : all) {
+    std::vector<std::string> arguments{"check", "desk"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(oracle.run(arguments).exit_code, 2) << options[0] << ' ' << options[1];
+  }
+}
+
+TEST(InputLights, AreRefusedAsUsageWhereTheCountIsNone) {
+  expect_usage({{"--area-lights", "0"},
+                {"--vpls", "-1"},
+                {"--surfels", "1.5"},
+                {"--environment", "x.exr", "--environment-lights", "0"}});
+}
+
+TEST(InputLights, AreRefusedAsUsageWhereOptionsContradict) {
+  expect_usage({{"--vpls", "5", "--surfels", "5"}, {"--environment-lights", "5"}});
+}
+
+TEST(MinDistanceOption, IsRefusedAsUsageUnlessItIsANumberAbove0) {
+  expect_usage({{"--min-distance", "0"},
+                {"--min-distance", "-1"},
+                {"--min-distance", "nan"},
+                {"--min-distance", "inf"},
+                {"--min-distance", "1m"}});
 }
 
 TEST(InputName, NeedNotBeUtf8) {

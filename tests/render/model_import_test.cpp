@@ -244,15 +244,43 @@ TEST_F(ModelImport, frames_a_gltf_that_has_an_orthographic_camera_only) {
   EXPECT_TRUE(has_note(scene, "no camera in the file: framed"));
 }
 
-TEST_F(ModelImport, reads_point_lights_and_says_which_it_leaves_out) {
-  const Scene scene = import("a.gltf", test::gltf().dump());
-  // The light is used by two nodes, which have the same name.
-  ASSERT_EQ(scene.lights.size(), 2U);
+TEST_F(ModelImport, reads_the_lights_of_a_gltf) {
+  nlohmann::json gltf = test::gltf();
+  const double half = 0.7071067811865476;
+  gltf["nodes"][5]["rotation"] = {-half, 0, 0, half}; // -z becomes -y
+  gltf["nodes"][5]["scale"] = {3, 3, 3};
+  gltf["nodes"][6]["translation"] = {1, 2, 3};
+  gltf["nodes"][6]["rotation"] = {0, half, 0, half}; // -z becomes -x
+  auto& lights = gltf["extensions"]["KHR_lights_punctual"]["lights"];
+  lights[1]["intensity"] = 3;
+  lights[2]["spot"]["innerConeAngle"] = 0.25;
+  const Scene scene = import("a.gltf", gltf.dump());
+  // The first light is used by two nodes, which have the same name.
+  ASSERT_EQ(scene.lights.size(), 4U);
+  for (const int i : {0, 1}) {
+    EXPECT_EQ(scene.lights[i].kind, LightKind::omni);
+    EXPECT_EQ(scene.lights[i].intensity, glm::vec3(8, 4, 2));
+  }
   expect_near(scene.lights[0].position, {4, 6, 8});
   expect_near(scene.lights[1].position, {-1, 0, 0});
-  for (const Light& light : scene.lights) EXPECT_EQ(light.intensity, glm::vec3(8, 4, 2));
-  EXPECT_TRUE(has_note(scene, "a.gltf: 1 directional light left out: only omni lights"));
-  EXPECT_TRUE(has_note(scene, "a.gltf: 1 spot light left out: only omni lights"));
+  EXPECT_EQ(scene.lights[2].kind, LightKind::directional);
+  EXPECT_EQ(scene.lights[2].intensity, glm::vec3(3));
+  expect_near(scene.lights[2].position, {0, 1, 0}); // it comes from above
+  EXPECT_EQ(scene.lights[3].kind, LightKind::spot);
+  EXPECT_EQ(scene.lights[3].intensity, glm::vec3(1));
+  expect_near(scene.lights[3].position, {1, 2, 3});
+  expect_near(scene.lights[3].axis, {-1, 0, 0});
+  EXPECT_FLOAT_EQ(scene.lights[3].cos_inner, std::cos(0.25F));
+  EXPECT_FLOAT_EQ(scene.lights[3].cos_outer, std::cos(0.5F));
+  EXPECT_TRUE(scene.notes.empty());
+}
+
+TEST_F(ModelImport, gives_a_spot_of_a_gltf_the_formats_default_angles) {
+  nlohmann::json gltf = test::gltf();
+  gltf["extensions"]["KHR_lights_punctual"]["lights"][2]["spot"] = nlohmann::json::object();
+  const Light spot = import("s.gltf", gltf.dump()).lights[3];
+  EXPECT_EQ(spot.cos_inner, 1);
+  EXPECT_FLOAT_EQ(spot.cos_outer, std::sqrt(0.5F));
 }
 
 TEST_F(ModelImport, reads_a_binary_gltf_alike) {
@@ -302,6 +330,21 @@ TEST_F(ModelImport, refuses_bad_values_in_a_gltf) {
   });
   refuses_change("v.gltf: light 0: intensity.r is -8", [](auto& g) {
     g["extensions"]["KHR_lights_punctual"]["lights"][0]["intensity"] = -8;
+  });
+  refuses_change("v.gltf: light 3: inner angle is 0.5, expected", [](auto& g) {
+    g["extensions"]["KHR_lights_punctual"]["lights"][2]["spot"]["innerConeAngle"] = 0.5;
+  });
+  refuses_change("v.gltf: light 3: outer angle is 4, expected", [](auto& g) {
+    g["extensions"]["KHR_lights_punctual"]["lights"][2]["spot"]["outerConeAngle"] = 4;
+  });
+  refuses_change("v.gltf: light 2: irradiance.r is -1, negative", [](auto& g) {
+    g["extensions"]["KHR_lights_punctual"]["lights"][1]["intensity"] = -1;
+  });
+  refuses_change("v.gltf: light 2: direction.x is", [](auto& g) {
+    g["nodes"][5]["scale"] = {0, 0, 0};
+  });
+  refuses_change("v.gltf: not glTF 2.0", [](auto& g) {
+    g["extensions"]["KHR_lights_punctual"]["lights"][2].erase("spot");
   });
   refuses_change("v.gltf: not glTF 2.0", [](auto& g) { g["asset"]["version"] = "1.0"; });
   refuses_change("v.gltf: not glTF 2.0", [](auto& g) { g.erase("asset"); });

@@ -64,6 +64,13 @@ glm::dmat4 transform_of(const json& node) {
   return m;
 }
 
+std::optional<LightKind> kind_of(const std::string& type) {
+  if (type == "point") return LightKind::omni;
+  if (type == "spot") return LightKind::spot;
+  if (type == "directional") return LightKind::directional;
+  return std::nullopt;
+}
+
 class Walker {
 public:
   Walker(std::string file, const json& gltf)
@@ -116,14 +123,21 @@ private:
 
   void add_light(std::size_t index, const glm::dmat4& world) {
     const json& light = gltf_.at("extensions").at("KHR_lights_punctual").at("lights").at(index);
-    const auto type = light.at("type").get<std::string>();
-    if (type == "directional") ++found_.directional;
-    if (type == "spot") ++found_.spot;
-    if (type != "point") return;
-    const glm::dvec3 intensity =
-        light.value("intensity", 1.0) * vector_of(light, "color", glm::dvec3(1));
-    found_.omni.push_back(
-        {.position = glm::vec3(glm::dvec3(world[3])), .intensity = glm::vec3(intensity)});
+    const auto kind = kind_of(light.at("type").get<std::string>());
+    if (!kind) return;
+    GltfLight found{.kind = *kind};
+    found.position = glm::vec3(glm::dvec3(world[3]));
+    found.intensity =
+        glm::vec3(light.value("intensity", 1.0) * vector_of(light, "color", glm::dvec3(1)));
+    // Lights, too, shine along their -z.
+    if (*kind != LightKind::omni)
+      found.direction = glm::vec3(glm::normalize(-glm::dvec3(world[2])));
+    if (*kind == LightKind::spot) {
+      const json& spot = light.at("spot");
+      found.inner_angle = static_cast<float>(spot.value("innerConeAngle", 0.0));
+      found.outer_angle = static_cast<float>(spot.value("outerConeAngle", 0.25 * std::numbers::pi));
+    }
+    found_.lights.push_back(found);
   }
 
   std::string file_;

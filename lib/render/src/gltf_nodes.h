@@ -6,17 +6,28 @@
 #include <optional>
 #include <vector>
 
-#include <lightcuts/light_set.h>
+#include <glm/vec3.hpp>
+#include <lightcuts/light.h>
 #include <lightcuts/render/scene.h>
 
 namespace lightcuts {
+
+/// A light of KHR_lights_punctual.
+struct GltfLight {
+  LightKind kind = LightKind::omni;
+  glm::vec3 position{0};  ///< metres
+  glm::vec3 direction{0}; ///< unit, in which a spot or directional light shines
+  glm::vec3 intensity{0}; ///< candela taken as W/sr; of a directional light lux taken as W/m^2
+  float inner_angle = 0;  ///< of a spot, radians
+  float outer_angle = 0;
+};
 
 /// The lights and the camera of a glTF file, in world space. Read from the JSON, since Assimp 5.2
 /// keeps one node per light, finds nodes by names that need not be unique, and multiplies the
 /// field of view by the aspect ratio.
 struct GltfNodes {
-  std::vector<Light> omni; ///< candela taken as W/sr
-  std::size_t directional = 0, spot = 0, orthographic = 0;
+  std::vector<GltfLight> lights;
+  std::size_t orthographic = 0;
   std::optional<Camera> camera; ///< the first perspective camera in the order of the nodes
 };
 

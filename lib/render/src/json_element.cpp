@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <lightcuts/input_error.h>
 
 #include "text.h"
 
@@ -14,7 +13,7 @@ namespace lightcuts {
 void JsonElement::refuse_as(const std::string& end) const {
   // The root's path is empty; say "the file" instead.
   const bool nameless = path_.empty() && end.compare(0, 1, "/") != 0;
-  throw InputError(one_line(fmt::format("{}: {}{}", file_, nameless ? "the whole" : path_, end)));
+  throw JsonError(one_line(fmt::format("{}: {}{}", file_, nameless ? "the whole" : path_, end)));
 }
 
 void JsonElement::refuse_type(const char* expected) const {

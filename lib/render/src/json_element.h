@@ -7,12 +7,18 @@
 #include <string>
 
 #include <glm/vec3.hpp>
+#include <lightcuts/input_error.h>
 #include <nlohmann/json.hpp>
 
 namespace lightcuts {
 
+/// An error that says where in a JSON file it is.
+struct JsonError : InputError {
+  using InputError::InputError;
+};
+
 /// A value in a JSON file that knows where it is, so that errors can name it. Every reader throws
-/// InputError as `file: /path/to/it what is wrong`.
+/// JsonError as `file: /path/to/it what is wrong`.
 class JsonElement {
 public:
   /// The file's root. `json` must outlive the element and all that come from it.

@@ -153,8 +153,7 @@ private:
     const std::string where = fmt::format("{}: material '{}'", file_, source.GetName().C_Str());
     scene_.surfaces.push_back(surface_of(source, is_gltf_, where, scene_.notes));
     if (texture)
-      scene_.surfaces.back().texture = {texture->index, texture->wrap,
-                                        tinted_f0(source, is_gltf_)};
+      scene_.surfaces.back().texture = {texture->index, texture->wrap, tinted_f0(source, is_gltf_)};
     return index = static_cast<std::uint32_t>(scene_.surfaces.size() - 1);
   }
 
@@ -192,22 +191,30 @@ void read_meshes(const std::filesystem::path& file, bool is_gltf, Scene& scene) 
   Collector(file, is_gltf, *source, scene).collect();
 }
 
+void add(const GltfLight& light, LightSet& lights) {
+  switch (light.kind) {
+  case LightKind::spot:
+    return lights.add_spot(light.position, light.direction, light.intensity, light.inner_angle,
+                           light.outer_angle);
+  case LightKind::directional:
+    return lights.add_directional(light.direction, light.intensity);
+  default:
+    return lights.add_omni(light.position, light.intensity);
+  }
+}
+
 /// Adds the lights; returns whether there is a camera.
 bool apply(const GltfNodes& nodes, const std::string& file, Scene& scene) {
-  for (const Light& light : nodes.omni) {
+  for (const GltfLight& light : nodes.lights) {
     try {
-      scene.lights.add_omni(light.position, light.intensity);
+      add(light, scene.lights);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", file, error.what()));
     }
   }
-  const auto note = [&](std::size_t count, const char* what, const char* why) {
-    if (count > 0)
-      scene.notes.push_back(fmt::format("{}: {} left out: {}", file, counted(count, what), why));
-  };
-  note(nodes.directional, "directional light", "only omni lights are supported");
-  note(nodes.spot, "spot light", "only omni lights are supported");
-  note(nodes.orthographic, "orthographic camera", "only perspective is supported");
+  if (nodes.orthographic > 0)
+    scene.notes.push_back(fmt::format("{}: {} left out: only perspective is supported", file,
+                                      counted(nodes.orthographic, "orthographic camera")));
   if (nodes.camera) scene.camera = *nodes.camera;
   return nodes.camera.has_value();
 }

@@ -25,6 +25,9 @@ public:
   /// In [0, 1), a multiple of 2^-24.
   float unit() { return static_cast<float>(next() >> 40) * 0x1p-24F; }
 
+  /// In [0, 1), a multiple of 2^-53.
+  double unit_double() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
   /// In [lo, hi]; `lo <= hi`, finite. In double, so that hi - lo cannot overflow.
   float between(float lo, float hi) {
     return static_cast<float>(lo + (static_cast<double>(hi) - lo) * static_cast<double>(unit()));

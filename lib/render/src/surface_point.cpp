@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
+
+#include "directed_rounding.h"
 
 namespace lightcuts {
 namespace {
@@ -38,15 +39,6 @@ glm::dvec3 shading_normal(const TriangleMesh& mesh, const Hit& hit, const glm::d
   n /= length;
   if (glm::dot(n, geometric) < 0) n = -n;
   return glm::dot(n, view) < 0 ? n : geometric;
-}
-
-// Rounds x to float, upwards where `side` > 0, downwards where `side` < 0.
-float rounded(double x, double side) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  const auto nearest = static_cast<float>(x);
-  if (side > 0 && nearest < x) return std::nextafter(nearest, infinity);
-  if (side < 0 && nearest > x) return std::nextafter(nearest, -infinity);
-  return nearest;
 }
 
 // How far off its plane a ray must start so that Embree cannot find the triangle at t >= 0.
@@ -83,10 +75,8 @@ SurfacePoint surface_point(const TriangleMesh& mesh, const Hit& hit,
   const double height = longest > 0 ? clearance(longest, area) : 0;
   const glm::dvec3 off = position + height * geometric;
   // Each component is rounded away from the surface: the height is kept far from the origin, too.
-  return {glm::vec3(position),
-          glm::vec3(geometric),
-          glm::vec3(shading_normal(mesh, hit, geometric, view)),
-          {rounded(off.x, geometric.x), rounded(off.y, geometric.y), rounded(off.z, geometric.z)}};
+  return {glm::vec3(position), glm::vec3(geometric),
+          glm::vec3(shading_normal(mesh, hit, geometric, view)), rounded_towards(off, geometric)};
 }
 
 } // namespace lightcuts

@@ -11,8 +11,8 @@ namespace lightcuts {
 ///
 /// Everything comes out in world space, in the file's units. Kept: triangles (polygons are cut
 /// up), normals where present, one surface per material in use, base-colour textures with their
-/// coordinates, glTF's omni ("point") lights with candela taken as W/sr, glTF's first perspective
-/// camera.
+/// coordinates, glTF's lights (KHR_lights_punctual) with candela taken as W/sr and lux as W/m^2,
+/// glTF's first perspective camera.
 /// - MTL: diffuse Kd times map_Kd, specular Ks, exponent Ns, emission Ke. Ka, illum, opacity and
 ///   other maps do nothing, nor do the options of map_Kd except -clamp.
 /// - glTF: metallic-roughness as Cook-Torrance: diffuse = base (1 - metallic)(1 - 0.04), f0 =

@@ -26,7 +26,8 @@ struct BaseTexture {
 struct Surface {
   std::string name;
   Material material;
-  glm::vec3 emission{0}; ///< radiance seen by the camera, W/(m^2 sr); it lights nothing
+  glm::vec3 emission{0}; ///< radiance seen by the camera, W/(m^2 sr); it lights nothing by itself:
+                         ///< see area_lights.h
   std::optional<BaseTexture> texture = {}; ///< without it, the material is the same everywhere
 };
 
