@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <lightcuts/box.h>
 #include <lightcuts/box_bounds.h>
+#include <lightcuts/exponential.h>
 #include <lightcuts/light_set.h>
 #include <lightcuts/orientation_cone.h>
 
@@ -19,9 +20,11 @@ struct TreeNode;
 
 /// Where the oriented lights or spots of a cluster shine.
 struct ClusterEmission {
-  OrientationCone cone;   ///< has all their axes, in real numbers
-  glm::vec3 mean_axis{0}; ///< mean of the unit axes, weighted by intensity; not unit
-  float cos_inner = 1;    ///< of spots: the least of each
+  OrientationCone cone;      ///< has all their axes, in real numbers
+  glm::vec3 mean_axis{0};    ///< mean of the unit axes, weighted by intensity; not unit
+  glm::vec3 axis_square{0};  ///< mean of the products of their components: xx, yy, zz
+  glm::vec3 axis_product{0}; ///< yz, zx, xy
+  float cos_inner = 1;       ///< of spots: the least of each
   float cos_outer = 1;
 };
 
@@ -71,20 +74,54 @@ inline double ramp2(const ClusterEmission& e, double cosine) {
   return std::max(0.0, sum(farthest, e.cone.half_angle()).cos - detail::emission_slack);
 }
 
-/// emission() as of one light at y that stands for the cluster: exact to first order where all its
-/// lights face x. The spots' rims are taken from `one`, a light of the cluster.
+namespace detail {
+
+/// Mean of max(0, cos) over axes whose cosine with the unit direction d has the mean and the
+/// variance that the moments give, as if it were spread evenly over an interval: exact for equal
+/// axes, where all face d, and for axes in all directions alike.
+inline double mean_facing(const ClusterEmission& e, const glm::dvec3& d, double mean) {
+  const glm::dvec3 s(e.axis_square), p(e.axis_product);
+  const double square = s.x * d.x * d.x + s.y * d.y * d.y + s.z * d.z * d.z +
+                        2 * (p.x * d.y * d.z + p.y * d.z * d.x + p.z * d.x * d.y);
+  const double half_width = std::sqrt(3 * std::max(0.0, square - mean * mean));
+  if (mean >= half_width) return mean;
+  if (mean <= -half_width) return 0;
+  return (mean + half_width) * (mean + half_width) / (4 * half_width);
+}
+
+/// Mean of a spot's t^2 over axes that are distributed about the mean axis like von Mises &
+/// Fisher's, kappa from the length R of the mean (Banerjee et al. 2005): by the density of axes
+/// towards x where they are more spread out than the spot is wide, by the mean axis alone where
+/// they are not.
+inline double mean_ramp(const Light& one, double mean, double length) {
+  const double R = std::min(length, 1 - 0x1p-24);
+  const double kappa = R * (3 - R * R) / (1 - R * R);
+  const double cosine = R > 0 ? std::clamp(mean / length, -1.0, 1.0) : 0;
+  const double width = double(one.cos_inner) - one.cos_outer;
+  const double t = std::clamp((cosine - one.cos_outer) / width, 0.0, 1.0);
+  // Times 2 pi: the integral of t^2, and the density.
+  const double solid_angle = 1 - one.cos_inner + width / 3;
+  const double density =
+      kappa < 1e-6 ? 0.5
+                   : kappa / (1 - exp_of_minus(2 * kappa)) * exp_of_minus(kappa * (1 - cosine));
+  const double spread = 1 / (1 + kappa * (1 - one.cos_outer));
+  return (1 - spread) * t * t + spread * std::min(1.0, solid_angle * density);
+}
+
+} // namespace detail
+
+/// Mean of emission() over the cluster as of lights at y: exact to first order for oriented lights
+/// that all face x, a guess within [0, 1] elsewhere. `one` is a light of the cluster, whose rims
+/// stand for all.
 [[nodiscard]] inline double mean_emission(const ClusterEmission& e, const Light& one,
                                           const glm::vec3& y, const glm::vec3& x) {
-  const glm::dvec3 d = glm::dvec3(x) - glm::dvec3(y);
-  const double length2 = glm::dot(d, d);
+  const glm::dvec3 way = glm::dvec3(x) - glm::dvec3(y);
+  const double length2 = glm::dot(way, way);
   if (length2 == 0) return 0;
-  const glm::dvec3 axis(e.mean_axis);
-  const double cosine = glm::dot(axis, d) / std::sqrt(length2);
-  if (one.kind == LightKind::oriented) return std::clamp(cosine, 0.0, 1.0);
-  const double axis_length = glm::length(axis);
-  const double t = (cosine - axis_length * one.cos_outer) /
-                   (axis_length * (double(one.cos_inner) - one.cos_outer));
-  return t >= 1 ? 1 : t > 0 ? t * t : 0;
+  const glm::dvec3 d = way / std::sqrt(length2);
+  const double mean = glm::dot(glm::dvec3(e.mean_axis), d);
+  if (one.kind == LightKind::oriented) return std::clamp(detail::mean_facing(e, d, mean), 0.0, 1.0);
+  return detail::mean_ramp(one, mean, glm::length(glm::dvec3(e.mean_axis)));
 }
 
 } // namespace lightcuts
