@@ -78,7 +78,7 @@ int run(const CheckOptions& options) {
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, {options.seed});
-  oracle::CheckConfig config = check_config_for(options, options.pairs);
+  oracle::CheckConfig config = check_config_for(options, view, options.pairs);
   config.cut.black_level = find_needs(view, tree, config.cut).black_level;
   CheckResult result;
   {

@@ -12,6 +12,7 @@
 #include <lightcuts/render/area_lights.h>
 #include <lightcuts/render/environment_lights.h>
 #include <lightcuts/render/light_generator.h>
+#include <lightcuts/render/needs.h>
 #include <lightcuts/render/open_scene.h>
 #include <lightcuts/render/output_folder.h>
 #include <lightcuts/render/surfels.h>
@@ -153,11 +154,16 @@ float parse_threshold(const std::string& text) {
   }
   const std::string unit = text.substr(used);
   if (used == 0 || !(unit.empty() || unit == "%") || !(value >= 0) || std::isinf(value))
-    throw CLI::ValidationError("'" + text + "' is not a threshold such as 2% or 0.02");
+    throw CLI::ValidationError("'" + text + "' is not a threshold such as 2%, 0.02 or auto");
   return unit == "%" ? static_cast<float>(std::stod(text) / 100) : value;
 }
 
+float threshold_for(const CommonOptions& options, const SceneView& view) {
+  return options.threshold == "auto" ? default_threshold(view) : parse_threshold(options.threshold);
+}
+
 std::string check_threshold(const std::string& text) {
+  if (text == "auto") return {};
   try {
     (void)parse_threshold(text);
     return {};
@@ -195,8 +201,10 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
 
 void add_threshold_option(CLI::App& command, CommonOptions& options) {
   command
-      .add_option("--threshold", options.threshold,
-                  "error bound allowed per cluster, relative to the pixel's total")
+      .add_option(
+          "--threshold", options.threshold,
+          "error bound allowed per cluster, relative to the pixel's total; auto: what makes a "
+          "mean error of about 1 %: 1% where something may occlude, else up to 50%")
       ->check(check_threshold)
       ->capture_default_str();
 }
@@ -235,12 +243,13 @@ Scene open_lit_scene_for(const CommonOptions& options) {
   return scene;
 }
 
-oracle::CheckConfig check_config_for(const CommonOptions& options, std::uint64_t pairs) {
+oracle::CheckConfig check_config_for(const CommonOptions& options, const SceneView& view,
+                                     std::uint64_t pairs) {
   oracle::CheckConfig config;
   config.seed = options.seed;
   config.pairs = pairs;
   config.threads = options.threads;
-  config.cut = {parse_threshold(options.threshold), options.max_cut, 0};
+  config.cut = {threshold_for(options, view), options.max_cut, 0};
   return config;
 }
 

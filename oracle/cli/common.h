@@ -23,7 +23,7 @@ struct CommonOptions {
   std::string scene;
   std::uint64_t seed = 1;
   unsigned threads = 0;
-  std::string threshold = "2%";
+  std::string threshold = "auto";
   std::uint32_t max_cut = 1000;
   std::string size;
   std::uint32_t lights = 0;
@@ -42,6 +42,9 @@ struct CommonOptions {
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_threshold_option(CLI::App& command, CommonOptions& options);
 void add_out_option(CLI::App& command, CommonOptions& options);
+
+/// --threshold, or what suits the scene (default_threshold()) for "auto".
+[[nodiscard]] float threshold_for(const CommonOptions& options, const SceneView& view);
 
 /// "2%" or "0.02" as 0.02; throws CLI::ValidationError otherwise, or below 0.
 [[nodiscard]] float parse_threshold(const std::string& text);
@@ -62,7 +65,7 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 
 /// What check() is to do, as the options say; no black level, no progress.
 [[nodiscard]] oracle::CheckConfig check_config_for(const CommonOptions& options,
-                                                   std::uint64_t pairs);
+                                                   const SceneView& view, std::uint64_t pairs);
 
 /// --out, or out/NAME after the scene.
 [[nodiscard]] std::filesystem::path output_folder_for(const CommonOptions& options);

@@ -29,7 +29,7 @@ Facts facts_of(const Scene& scene, const CommonOptions& options) {
   if (scene.lights.empty()) return facts;
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, {options.seed});
-  const float threshold = parse_threshold(options.threshold);
+  const float threshold = threshold_for(options, view);
   const Needs needs = find_needs(view, tree, {threshold, options.max_cut, 0});
   facts.black_level = needs.black_level;
   oracle::describe_needs(view, needs, threshold, facts.needed, facts.left_out);

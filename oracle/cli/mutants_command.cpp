@@ -72,7 +72,7 @@ int run(const MutantsOptions& options) {
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, {options.seed});
-  oracle::CheckConfig config = check_config_for(options, options.pairs);
+  oracle::CheckConfig config = check_config_for(options, view, options.pairs);
 
   std::vector<Verdict> verdicts;
   std::size_t caught = 0;

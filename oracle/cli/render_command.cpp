@@ -33,7 +33,7 @@ int run(const RenderOptions& options) {
   const LightTree tree = build(scene.lights, {options.seed});
   RenderConfig config;
   config.method = *method_named(options.method);
-  config.cut = {parse_threshold(options.threshold), options.max_cut, 0};
+  config.cut = {threshold_for(options, view), options.max_cut, 0};
   config.threads = options.threads;
   const Needs needs = find_needs(view, tree, config.cut);
   config.cut.black_level = needs.black_level;

@@ -18,11 +18,26 @@ namespace {
 
 struct ReportOptions : CommonOptions {
   std::vector<std::string> methods{"reference", "lightcuts"};
-  std::vector<std::string> thresholds{"1%", "2%", "4%", "8%"};
+  std::vector<std::string> thresholds{"auto"};
   int repeats = oracle::MeasureConfig{}.repeats;
 };
 
-oracle::MeasureConfig config_of(const ReportOptions& options) {
+/// In order of asking; auto stands for half the scene's own threshold, that, twice and four times
+/// it.
+std::vector<float> thresholds_of(const ReportOptions& options, const SceneView& view) {
+  std::vector<float> thresholds;
+  for (const std::string& text : options.thresholds) {
+    if (text != "auto") {
+      thresholds.push_back(parse_threshold(text));
+      continue;
+    }
+    for (const float factor : {0.5F, 1.0F, 2.0F, 4.0F})
+      thresholds.push_back(factor * default_threshold(view));
+  }
+  return thresholds;
+}
+
+oracle::MeasureConfig config_of(const ReportOptions& options, const SceneView& view) {
   oracle::MeasureConfig config;
   config.seed = options.seed;
   config.max_cut = options.max_cut;
@@ -30,17 +45,16 @@ oracle::MeasureConfig config_of(const ReportOptions& options) {
   config.repeats = options.repeats;
   config.methods.clear();
   for (const std::string& name : options.methods) config.methods.push_back(*method_named(name));
-  config.thresholds.clear();
-  for (const std::string& t : options.thresholds) config.thresholds.push_back(parse_threshold(t));
+  config.thresholds = thresholds_of(options, view);
   return config;
 }
 
 int run(const ReportOptions& options) {
-  oracle::MeasureConfig config = config_of(options);
   const Scene scene = open_lit_scene_for(options);
   const std::filesystem::path out = output_folder_for(options);
   OutputFolder folder(out);
   const SceneView view(scene);
+  oracle::MeasureConfig config = config_of(options, view);
   oracle::Measurement m;
   {
     Progress progress("report " + options.scene);
@@ -77,8 +91,10 @@ void add_report_command(CLI::App& app, Action& chosen) {
       ->check(CLI::IsMember({"reference", "paper", "lightcuts"}))
       ->capture_default_str();
   command
-      ->add_option("--thresholds,--threshold", options->thresholds,
-                   "of the methods that have one, separated by commas")
+      ->add_option(
+          "--thresholds,--threshold", options->thresholds,
+          "of the methods that have one, separated by commas; auto: four about what makes a "
+          "mean error of 1 %, see render")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(check_threshold)

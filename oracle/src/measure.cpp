@@ -136,12 +136,12 @@ Run summary(const Row& row, const Row& reference, double build_seconds) {
   return run;
 }
 
-/// The row nearest to the default threshold, of lightcuts if there is one, of another method else.
-const Row& row_to_show(const std::vector<Row>& rows) {
-  const auto rank = [](const Row& row) {
+/// The row nearest to the scene's threshold, of lightcuts if there is one, of another method else.
+const Row& row_to_show(const std::vector<Row>& rows, float threshold) {
+  const auto rank = [threshold](const Row& row) {
     const Method method = row.config.method;
     const int by_method = method == Method::lightcuts ? 0 : method == Method::paper ? 1 : 2;
-    return std::pair(by_method, std::abs(row.config.cut.threshold - CutConfig{}.threshold));
+    return std::pair(by_method, std::abs(row.config.cut.threshold - threshold));
   };
   return *std::min_element(rows.begin(), rows.end(),
                            [&](const Row& a, const Row& b) { return rank(a) < rank(b); });
@@ -222,8 +222,8 @@ Measurement measure(const SceneView& view, const MeasureConfig& config) {
 
   Measurement m;
   m.report = facts(view, config);
-  const float black_level =
-      find_needs(view, tree, {CutConfig{}.threshold, config.max_cut, 0}).black_level;
+  const float threshold = default_threshold(view);
+  const float black_level = find_needs(view, tree, {threshold, config.max_cut, 0}).black_level;
   std::vector<Row> rows = rows_to_run(view, tree, config, black_level);
   run_in_turn(view, tree, config, rows);
 
@@ -242,7 +242,7 @@ Measurement measure(const SceneView& view, const MeasureConfig& config) {
     }
     m.report.runs.push_back(run);
   }
-  const Row& shown = row_to_show(rows);
+  const Row& shown = row_to_show(rows, threshold);
   m.shown = shown.picture;
   m.shown_threshold = shown.config.cut.threshold;
   m.reference = rows.front().picture;

@@ -70,6 +70,12 @@ double cost_of_sum(const SceneView& view, const std::vector<VisiblePoint>& point
 
 } // namespace
 
+float default_threshold(const SceneView& view) {
+  if (view.may_occlude()) return 0.01F;
+  if ((view.scene().lights.kinds() & kinds_with_axis) != 0) return 0.02F;
+  return any_specular(view.scene()) ? 0.08F : 0.5F;
+}
+
 Needs find_needs(const SceneView& view, const LightTree& tree, const CutConfig& config) {
   Needs needs;
   needs.kinds = view.scene().lights.kinds();

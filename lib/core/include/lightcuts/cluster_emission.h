@@ -10,7 +10,6 @@
 #include <glm/vec3.hpp>
 #include <lightcuts/box.h>
 #include <lightcuts/box_bounds.h>
-#include <lightcuts/exponential.h>
 #include <lightcuts/light_set.h>
 #include <lightcuts/orientation_cone.h>
 
@@ -89,39 +88,18 @@ inline double mean_facing(const ClusterEmission& e, const glm::dvec3& d, double 
   return (mean + half_width) * (mean + half_width) / (4 * half_width);
 }
 
-/// Mean of a spot's t^2 over axes that are distributed about the mean axis like von Mises &
-/// Fisher's, kappa from the length R of the mean (Banerjee et al. 2005): by the density of axes
-/// towards x where they are more spread out than the spot is wide, by the mean axis alone where
-/// they are not.
-inline double mean_ramp(const Light& one, double mean, double length) {
-  const double R = std::min(length, 1 - 0x1p-24);
-  const double kappa = R * (3 - R * R) / (1 - R * R);
-  const double cosine = R > 0 ? std::clamp(mean / length, -1.0, 1.0) : 0;
-  const double width = double(one.cos_inner) - one.cos_outer;
-  const double t = std::clamp((cosine - one.cos_outer) / width, 0.0, 1.0);
-  // Times 2 pi: the integral of t^2, and the density.
-  const double solid_angle = 1 - one.cos_inner + width / 3;
-  const double density =
-      kappa < 1e-6 ? 0.5
-                   : kappa / (1 - exp_of_minus(2 * kappa)) * exp_of_minus(kappa * (1 - cosine));
-  const double spread = 1 / (1 + kappa * (1 - one.cos_outer));
-  return (1 - spread) * t * t + spread * std::min(1.0, solid_angle * density);
-}
-
 } // namespace detail
 
-/// Mean of emission() over the cluster as of lights at y: exact to first order for oriented lights
-/// that all face x, a guess within [0, 1] elsewhere. `one` is a light of the cluster, whose rims
-/// stand for all.
-[[nodiscard]] inline double mean_emission(const ClusterEmission& e, const Light& one,
-                                          const glm::vec3& y, const glm::vec3& x) {
+/// Mean of emission() over a cluster of oriented lights as if they were at y: exact to first order
+/// where all face x, a guess within [0, 1] elsewhere.
+[[nodiscard]] inline double mean_emission(const ClusterEmission& e, const glm::vec3& y,
+                                          const glm::vec3& x) {
   const glm::dvec3 way = glm::dvec3(x) - glm::dvec3(y);
   const double length2 = glm::dot(way, way);
   if (length2 == 0) return 0;
   const glm::dvec3 d = way / std::sqrt(length2);
   const double mean = glm::dot(glm::dvec3(e.mean_axis), d);
-  if (one.kind == LightKind::oriented) return std::clamp(detail::mean_facing(e, d, mean), 0.0, 1.0);
-  return detail::mean_ramp(one, mean, glm::length(glm::dvec3(e.mean_axis)));
+  return std::clamp(detail::mean_facing(e, d, mean), 0.0, 1.0);
 }
 
 } // namespace lightcuts

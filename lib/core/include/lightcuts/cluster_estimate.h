@@ -12,7 +12,8 @@ namespace lightcuts {
 
 /// Radiance that the cluster sends to the viewer if nothing occludes it, as of one light at the
 /// centroid of its intensity, its axis the mean axis: the error of first order cancels. The second
-/// moment of the positions corrects the geometric term of omni, oriented and directional lights.
+/// moment of the positions corrects the geometric term of omni, oriented and directional lights. A
+/// mean of spots says little of any; they shine as their representative does.
 /// Exact for a leaf (see transfer()). A mixed cluster: the sum of its children's. For diffuse
 /// surfaces and omni lights in error by O((size/distance)^3), else ^2.
 template <class Features = AnyFeatures, class OneLobe>
@@ -29,9 +30,11 @@ template <class Features = AnyFeatures, class OneLobe>
     glm::dvec3 e =
         reflected<Features>(point, lobe, sight, kind, tree.min_distance2()) * cluster.intensity;
     if (e == glm::dvec3(0)) return e;
-    if constexpr (Features::has_axes)
-      if ((only(kind) & kinds_with_axis) != 0)
-        e *= mean_emission(tree.emission(i), one, moments.centroid, point.position());
+    if constexpr (Features::has_axes) {
+      if (kind == LightKind::oriented)
+        e *= mean_emission(tree.emission(i), moments.centroid, point.position());
+      if (kind == LightKind::spot) e *= emission(one, point.position());
+    }
     if (moments.variance == glm::vec3(0)) return e;
     const SecondMoment second(moments, sight.q());
     switch (kind) {

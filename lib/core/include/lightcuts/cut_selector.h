@@ -21,7 +21,7 @@
 namespace lightcuts {
 
 struct CutConfig {
-  float threshold = 0.02F;       ///< error bound per cluster, relative to the total; default 0.02
+  float threshold = 0.01F;       ///< error bound per cluster, relative to the total; default 0.01
   std::uint32_t max_size = 1000; ///< largest number of clusters in a cut, >= 1; default 1000
   float black_level = 0;         ///< a bound up to this radiance is always good enough; default 0
   /// Nothing comes between the point and any light: `visible` is not called, and the certified
@@ -156,8 +156,8 @@ private:
 
   /// All calls in one piece: 6 % off the time of a frame.
   template <class OneLobe>
-  [[gnu::flatten]] CutCluster evaluated(std::uint32_t node, bool is_visible, const ShadingPoint& point,
-                       const OneLobe& lobe) const {
+  [[gnu::flatten]] CutCluster evaluated(std::uint32_t node, bool is_visible,
+                                        const ShadingPoint& point, const OneLobe& lobe) const {
     const bool leaf = tree_->node(node).is_leaf();
     const glm::vec3 bound = leaf ? glm::vec3(0) : Rules::bound(*tree_, node, point, lobe);
     glm::dvec3 estimate(0);

@@ -24,7 +24,7 @@ struct MeasureConfig {
 /// A report with the pictures that belong to it.
 struct Measurement {
   Report report;
-  Needs needs;         ///< at the threshold nearest to the default
+  Needs needs;         ///< at the threshold nearest to the scene's own, see default_threshold()
   Rendering reference; ///< exact but for rounding
   Rendering shown;     ///< lightcuts at that threshold; the reference where it is not measured
   float shown_threshold = 0;

@@ -27,6 +27,12 @@ struct Needs {
   float black_level = 0;
 };
 
+/// The threshold that gives pictures with a mean error of 1 % or less, chosen from curves of error
+/// against threshold over the `cloud` scenes: 1 % where something may occlude, since visibility
+/// then makes the error. In the open estimates are far better than their bounds: 2 % with oriented
+/// lights or spots, 8 % with glossy surfaces, 50 % without either.
+[[nodiscard]] float default_threshold(const SceneView& view);
+
 /// Looks at the scene, and at cuts for about 200 pixels chosen by position. Decides by counting
 /// (clusters, rays, lights), never by the clock: same inputs, same answer.
 [[nodiscard]] Needs find_needs(const SceneView& view, const LightTree& tree,
