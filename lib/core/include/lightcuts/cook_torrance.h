@@ -17,7 +17,9 @@ namespace lightcuts {
 ///             + n.v sqrt(alpha^2 + (1 - alpha^2) (n.l)^2)))   (Smith, height-correlated, Heitz
 ///             2014),
 ///   F = f0 + (1 - f0) (1 - v.h)^5                                                (Schlick 1994)
-/// for viewers above the horizon, else 0.
+/// for viewers above the horizon, else 0. Conserves energy for every f0 and alpha; what is
+/// scattered between the facets is lost: with f0 = alpha = 1, 69 % of the light that comes along
+/// the normal.
 struct CookTorrance {
   static constexpr float min_alpha = 0x1p-14F;
 
