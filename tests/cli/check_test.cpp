@@ -53,7 +53,7 @@ TEST(CheckCommand, PrintsJsonAndNothingElse) {
   EXPECT_EQ(result["threshold"], 0.04);
   EXPECT_EQ(result["violations"], 0);
   EXPECT_GT(result["seconds"], 0);
-  EXPECT_EQ(result["properties"].size(), 13U);
+  EXPECT_EQ(result["properties"].size(), 15U);
   for (const json& property : result["properties"]) {
     EXPECT_EQ(keys(property),
               (std::vector<std::string>{"cases", "name", "violations", "worst_ratio"}));

@@ -53,6 +53,8 @@ struct CookTorrance {
     return result;
   }
 
+  bool operator==(const CookTorrance&) const = default;
+
   [[nodiscard]] double distribution(double tangent2) const {
     const double a2 = double(alpha) * alpha;
     const double ratio = (1 + tangent2) / (a2 + tangent2);

@@ -15,6 +15,7 @@ struct NoLobe {
   void validate() const {}
   [[nodiscard]] glm::dvec3 evaluate(const Sight& /*sight*/) const { return glm::dvec3(0); }
   [[nodiscard]] glm::dvec3 bound(const BoxSight& /*box*/) const { return glm::dvec3(0); }
+  bool operator==(const NoLobe&) const = default;
 };
 
 /// The glossy lobes there are. A new one is a type with validate(), evaluate() (f, 1/sr per

@@ -37,6 +37,8 @@ struct Phong {
                                        box.max_cosine_falloff);
   }
 
+  bool operator==(const Phong&) const = default;
+
   /// (exponent + 2) / (2 pi): also the largest f per reflectance.
   [[nodiscard]] double normalisation() const {
     return (double(exponent) + 2) * (0.5 * std::numbers::inv_pi);

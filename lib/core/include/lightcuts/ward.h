@@ -45,6 +45,8 @@ struct Ward {
                                        std::sqrt(box.max_falloff));
   }
 
+  bool operator==(const Ward&) const = default;
+
   /// The largest f sqrt(n.l) per reflectance.
   [[nodiscard]] double peak(double viewer_cosine) const {
     return 0.25 * std::numbers::inv_pi / (double(alpha) * alpha * std::sqrt(viewer_cosine));
