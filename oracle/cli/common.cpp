@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "count.h"
 #include <lightcuts/input_error.h>
 #include <lightcuts/render/light_generator.h>
 #include <lightcuts/render/open_scene.h>
@@ -30,6 +31,13 @@ std::string check_size(const std::string& text) {
 // CLI11 takes -1 for the largest number.
 std::string check_not_negative(const std::string& text) {
   return text.starts_with('-') ? "'" + text + "' is negative" : "";
+}
+
+std::string check_count(const std::string& text) {
+  return parse_count(text) ? ""
+                           : "'" + text +
+                                 "' is not a whole number above 0 and below 2^64, such as 1000000 "
+                                 "or 1e9";
 }
 
 constexpr unsigned max_threads = 1024;
@@ -161,10 +169,18 @@ Scene open_lit_scene_for(const CommonOptions& options) {
   return scene;
 }
 
-oracle::CheckConfig check_config_for(const CommonOptions& options, std::uint64_t pairs) {
+void add_cases_option(CLI::App& command, CommonOptions& options) {
+  command
+      .add_option("--cases", options.cases,
+                  "(node, shading point) pairs to check at least, such as 1000000 or 1e9")
+      ->check(check_count)
+      ->capture_default_str();
+}
+
+oracle::CheckConfig check_config_for(const CommonOptions& options) {
   oracle::CheckConfig config;
   config.seed = options.seed;
-  config.pairs = pairs;
+  config.pairs = *parse_count(options.cases);
   config.threads = options.threads;
   config.cut = {parse_threshold(options.threshold), options.max_cut, 0};
   return config;
