@@ -42,12 +42,12 @@ struct CookTorrance {
   [[nodiscard]] glm::dvec3 bound(const BoxSight& box) const {
     const double viewer = box.frame.viewer_cosine();
     if (viewer <= 0) return glm::dvec3(0);
-    const double most = box.max_cosine_quickly();
+    const double most = box.max_cosine_quickly(), between = box.min_between_cosine_quickly();
     const double shadowed =
         std::min(visibility(box.min_cosine_quickly(), viewer) * box.max_cosine_falloff,
                  most * visibility(most, viewer) * box.max_falloff);
-    const double lobe = distribution(box.min_half_tangent2()) * shadowed;
-    const glm::dvec3 f = fresnel(box.max_schlick());
+    const double lobe = distribution(box.min_half_tangent2(most, between)) * shadowed;
+    const glm::dvec3 f = fresnel(BoxSight::max_schlick(between));
     glm::dvec3 result;
     for (int c = 0; c < 3; ++c) result[c] = f[c] * std::max(lobe, 0x1p-700);
     return result;
