@@ -53,7 +53,7 @@ TEST_P(Campaign, FindsNoViolation) {
     pairs += result.pairs;
   }
   RecordProperty("pairs", std::to_string(pairs));
-  std::cout << fmt::format("{} (node, point) pairs, no violation; at least {} in all {} scenes\n",
+  std::cout << fmt::format("{} (node, point) pairs compared, of at least {} in all {} scenes\n",
                            pairs, scene_count * pairs_of_scene, scene_count);
 }
 
