@@ -20,10 +20,6 @@ using oracle::CheckResult;
 using oracle::Property;
 using oracle::PropertyCount;
 
-struct CheckOptions : CommonOptions {
-  std::uint64_t pairs = oracle::CheckConfig{}.pairs;
-};
-
 std::string ratio_text(double ratio) {
   if (ratio < 0) return "-";
   if (ratio > 1e6) return "> 10^6";
@@ -49,7 +45,7 @@ std::string table_of(const Scene& scene, const CheckResult& result, const CutCon
   return text;
 }
 
-std::string json_of(const CheckOptions& options, const CheckResult& result, const CutConfig& cut) {
+std::string json_of(const CommonOptions& options, const CheckResult& result, const CutConfig& cut) {
   nlohmann::ordered_json json{{"schema", "lightcuts-oracle/check/1"},
                               {"scene", options.scene},
                               {"seed", options.seed},
@@ -73,12 +69,12 @@ std::string json_of(const CheckOptions& options, const CheckResult& result, cons
   return text_of(json);
 }
 
-int run(const CheckOptions& options) {
+int run(const CommonOptions& options) {
   JsonFolder folder(options);
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, {options.seed});
-  oracle::CheckConfig config = check_config_for(options, view, options.pairs);
+  oracle::CheckConfig config = check_config_for(options, view);
   config.cut.black_level = find_needs(view, tree, config.cut).black_level;
   CheckResult result;
   {
@@ -95,15 +91,13 @@ int run(const CheckOptions& options) {
 } // namespace
 
 void add_check_command(CLI::App& app, Action& chosen) {
-  auto options = std::make_shared<CheckOptions>();
+  auto options = std::make_shared<CommonOptions>();
   options->scene = "desk";
   CLI::App* command = app.add_subcommand("check", "Check every property on a scene.");
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
   add_json_folder_option(*command, *options);
-  command->add_option("--pairs", options->pairs, "(node, shading point) pairs to check at least")
-      ->check(check_positive)
-      ->capture_default_str();
+  add_cases_option(*command, *options);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

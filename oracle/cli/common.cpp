@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "count.h"
 #include <lightcuts/input_error.h>
 #include <lightcuts/render/area_lights.h>
 #include <lightcuts/render/environment_lights.h>
@@ -46,6 +47,13 @@ std::string check_distance(const std::string& text) {
   return whole && distance > 0 && std::isfinite(distance)
              ? ""
              : "'" + text + "' is not a finite number above 0";
+}
+
+std::string check_count(const std::string& text) {
+  return parse_count(text) ? ""
+                           : "'" + text +
+                                 "' is not a whole number above 0 and below 2^64, such as 1000000 "
+                                 "or 1e9";
 }
 
 constexpr unsigned max_threads = 1024;
@@ -243,11 +251,18 @@ Scene open_lit_scene_for(const CommonOptions& options) {
   return scene;
 }
 
-oracle::CheckConfig check_config_for(const CommonOptions& options, const SceneView& view,
-                                     std::uint64_t pairs) {
+void add_cases_option(CLI::App& command, CommonOptions& options) {
+  command
+      .add_option("--cases", options.cases,
+                  "(node, shading point) pairs to check at least, such as 1000000 or 1e9")
+      ->check(check_count)
+      ->capture_default_str();
+}
+
+oracle::CheckConfig check_config_for(const CommonOptions& options, const SceneView& view) {
   oracle::CheckConfig config;
   config.seed = options.seed;
-  config.pairs = pairs;
+  config.pairs = *parse_count(options.cases);
   config.threads = options.threads;
   config.cut = {threshold_for(options, view), options.max_cut, 0};
   return config;

@@ -24,6 +24,7 @@ struct CommonOptions {
   std::uint64_t seed = 1;
   unsigned threads = 0;
   std::string threshold = "auto";
+  std::string cases = "1e7";
   std::uint32_t max_cut = 1000;
   std::string size;
   std::uint32_t lights = 0;
@@ -63,9 +64,12 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 /// The same for commands that cannot do without light: throws InputError where there is none.
 [[nodiscard]] Scene open_lit_scene_for(const CommonOptions& options);
 
+/// Adds --cases to the commands that check; its default is what options.cases is.
+void add_cases_option(CLI::App& command, CommonOptions& options);
+
 /// What check() is to do, as the options say; no black level, no progress.
 [[nodiscard]] oracle::CheckConfig check_config_for(const CommonOptions& options,
-                                                   const SceneView& view, std::uint64_t pairs);
+                                                   const SceneView& view);
 
 /// --out, or out/NAME after the scene.
 [[nodiscard]] std::filesystem::path output_folder_for(const CommonOptions& options);

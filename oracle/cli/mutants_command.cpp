@@ -16,10 +16,6 @@ namespace {
 
 using oracle::Property;
 
-struct MutantsOptions : CommonOptions {
-  std::uint64_t pairs = 200'000;
-};
-
 /// How one subject fared.
 struct Verdict {
   std::string name;
@@ -67,12 +63,12 @@ std::string json_of(const std::vector<Verdict>& verdicts, const Verdict& library
   return text_of(json);
 }
 
-int run(const MutantsOptions& options) {
+int run(const CommonOptions& options) {
   JsonFolder folder(options);
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, {options.seed});
-  oracle::CheckConfig config = check_config_for(options, view, options.pairs);
+  oracle::CheckConfig config = check_config_for(options, view);
 
   std::vector<Verdict> verdicts;
   std::size_t caught = 0;
@@ -94,17 +90,16 @@ int run(const MutantsOptions& options) {
 } // namespace
 
 void add_mutants_command(CLI::App& app, Action& chosen) {
-  auto options = std::make_shared<MutantsOptions>();
+  auto options = std::make_shared<CommonOptions>();
   options->scene = "desk";
+  options->cases = "2e5";
   CLI::App* command = app.add_subcommand(
       "mutants", "Judge deliberately broken variants of the library: each has to be caught (exit "
                  "code 1 if one is not, or if the library itself fails).");
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
   add_json_folder_option(*command, *options);
-  command->add_option("--pairs", options->pairs, "(node, shading point) pairs for each mutant")
-      ->check(check_positive)
-      ->capture_default_str();
+  add_cases_option(*command, *options);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

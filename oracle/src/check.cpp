@@ -15,6 +15,7 @@
 #include <lightcuts/oracle/brute_force_occlusion.h>
 #include <lightcuts/oracle/point_properties.h>
 #include <lightcuts/oracle/random_pixels.h>
+#include <lightcuts/oracle/white_furnace.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -47,15 +48,36 @@ struct Worker {
       : visible(subject.tree().lights().size()), cuts(subject, cut) {}
 };
 
+// Of the lights, so many at each point.
+constexpr std::uint64_t reciprocal_lights = 4;
+
+void check_material(const PointCase& at, const LightSet& lights, std::uint64_t seed, Tally& tally) {
+  for (std::uint64_t i = 0; i < reciprocal_lights; ++i)
+    check_reciprocity(at, lights[hashed(seed, reciprocal_lights * at.place + i) % lights.size()],
+                      tally);
+}
+
+/// All different parts of the materials, as in a white furnace.
+std::vector<Lobe> parts_of(const Scene& scene) {
+  std::vector<Lobe> parts{NoLobe{}};
+  for (const Surface& surface : scene.surfaces) {
+    const auto whitened = [](const auto& lobe) { return white(lobe).lobe; };
+    const Lobe part = std::visit(whitened, surface.material.lobe);
+    if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
+  }
+  return parts;
+}
+
 // Exact cuts cost N log N, the others much less: one point in eight has one.
 constexpr std::uint64_t points_per_exact_cut = 8;
 
 void check_point(const SceneView& view, const Subject& subject, std::uint64_t place,
-                 const VisiblePoint& p, Worker& w) {
+                 const VisiblePoint& p, std::uint64_t seed, Worker& w) {
   for (std::uint32_t i = 0; i < w.visible.size(); ++i) w.visible[i] = view.sees(p, i) ? 1 : 0;
   w.truth.evaluate(subject.tree(), p.point, w.visible);
   const PointCase at{place, p.point, w.visible, w.truth};
   check_clusters(subject, at, w.tally);
+  check_material(at, view.scene().lights, seed + 2, w.tally);
 
   const auto visible = [&w](std::uint32_t light) { return w.visible[light] != 0; };
   const auto check_selected = [&](Selector& selector, const CutConfig& config) {
@@ -116,7 +138,7 @@ CheckResult check(const SceneView& view, const Subject& subject, const CheckConf
     Worker& w = workers.local();
     for (std::uint64_t i = range.begin(); i < range.end(); ++i) {
       const VisiblePoint p = random_point(view, config.seed, i);
-      check_point(view, subject, i, p, w);
+      check_point(view, subject, i, p, config.seed, w);
       // The rays, dealt out evenly to the points.
       for (std::uint64_t r = i * rays / result.points; r < (i + 1) * rays / result.points; ++r)
         check_ray(view, p, i,
@@ -127,7 +149,10 @@ CheckResult check(const SceneView& view, const Subject& subject, const CheckConf
   };
   tbb::task_arena arena(config.threads == 0 ? tbb::task_arena::automatic
                                             : static_cast<int>(config.threads));
+  const std::vector<Lobe> parts = parts_of(view.scene());
   arena.execute([&] {
+    tbb::parallel_for(std::size_t(0), parts.size(),
+                      [&](std::size_t i) { check_energy(parts[i], i, workers.local().tally); });
     tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, result.points, 4), check_points,
                       tbb::simple_partitioner());
   });

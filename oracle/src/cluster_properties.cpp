@@ -98,11 +98,10 @@ void check_order(const PointCase& at, std::uint32_t node, const LightTree& tree,
   });
 }
 
-void check_shrinking(const Subject& subject, const PointCase& at, std::uint32_t node,
-                     const TreeNode& cluster, const glm::vec3& bound, Tally& tally) {
+/// a and b: the children's bounds.
+void check_shrinking(const PointCase& at, std::uint32_t node, const TreeNode& cluster,
+                     const glm::vec3& bound, const glm::vec3& a, const glm::vec3& b, Tally& tally) {
   Worst worst;
-  const glm::vec3 a = subject.bound(cluster.first_child, at.point);
-  const glm::vec3 b = subject.bound(cluster.first_child + 1, at.point);
   for (int c = 0; c < 3; ++c) {
     const double children = double(a[c]) + double(b[c]);
     // Each bound may exceed the real one by bound_excess and one subnormal.
@@ -171,15 +170,19 @@ void check_finite(const PointCase& at, std::uint32_t node, const LightTree& tree
 
 void check_clusters(const Subject& subject, const PointCase& at, Tally& tally) {
   const LightTree& tree = subject.tree();
-  for (std::uint32_t i = 0; i < tree.nodes().size(); ++i) {
+  std::vector<glm::vec3> bounds(tree.nodes().size());
+  for (std::uint32_t i = 0; i < bounds.size(); ++i) bounds[i] = subject.bound(i, at.point);
+  for (std::uint32_t i = 0; i < bounds.size(); ++i) {
     const TreeNode& cluster = tree.node(i);
-    const glm::vec3 bound = subject.bound(i, at.point);
+    const glm::vec3& bound = bounds[i];
     const glm::dvec3 estimate = seen_estimate(subject, i, at.point, bound, at.visible);
     check_contribution(at, i, cluster, bound, tally);
     check_error(at, i, cluster, estimate, bound, tally);
     check_order(at, i, tree, bound, tally);
     check_finite(at, i, tree, bound, tally);
-    if (!cluster.is_leaf()) check_shrinking(subject, at, i, cluster, bound, tally);
+    if (cluster.is_leaf()) continue;
+    const std::uint32_t child = cluster.first_child;
+    check_shrinking(at, i, cluster, bound, bounds[child], bounds[child + 1], tally);
   }
 }
 

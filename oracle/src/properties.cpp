@@ -38,6 +38,12 @@ constexpr std::array<PropertyInfo, property_count> infos{{
     {"results-are-finite",
      "Nothing is NaN or negative; a bound is infinite only where the supremum is.",
      "bounds, radiance, certified error"},
+    {"brdf-is-reciprocal", "A surface reflects as much from l to v as from v to l.",
+     "|f(l,v) - f(v,l)| n.l n.v <= rounding of both, per channel"},
+    {"brdf-conserves-energy",
+     "Each part of a material reflects no more light than there is, its reflectance being 1.",
+     "integral of f n.l over the hemisphere <= 1 + error of the quadrature; Ward's, near the "
+     "horizon: <= max(1, min(0.068, 0.37 alpha^1.5) / sqrt(n.v)) + error"},
     {"occlusion-equals-brute-force",
      "A light is seen if and only if no triangle at all lies between.",
      "the answer of the tree of triangles = that of testing each, where rounding cannot decide it"},

@@ -147,7 +147,7 @@ TEST(InputLights, CanBeAdded) {
   const OracleProcess oracle;
   write(oracle.folder() / "dark room.obj", square);
   const Outcome outcome =
-      oracle.run({"check", "dark room.obj", "--lights", "5", "--size", "8x6", "--pairs", "100"});
+      oracle.run({"check", "dark room.obj", "--lights", "5", "--size", "8x6", "--cases", "100"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(oracle.run({"info", "dark room.obj"}).exit_code, 0);
   EXPECT_EQ(oracle.run({"check", "--lights", "100000001"}).exit_code, 3);

@@ -21,7 +21,7 @@ std::vector<std::string> keys(const json& object) {
 }
 
 const std::vector<std::string> small_check{"check", "cloud?lights=20", "--size",
-                                           "16x12", "--pairs",         "2000"};
+                                           "16x12", "--cases",         "2000"};
 
 std::vector<std::string> with(std::vector<std::string> arguments,
                               const std::vector<std::string>& more) {
@@ -53,7 +53,7 @@ TEST(CheckCommand, PrintsJsonAndNothingElse) {
   EXPECT_EQ(result["threshold"], 0.04);
   EXPECT_EQ(result["violations"], 0);
   EXPECT_GT(result["seconds"], 0);
-  EXPECT_EQ(result["properties"].size(), 13U);
+  EXPECT_EQ(result["properties"].size(), 15U);
   for (const json& property : result["properties"]) {
     EXPECT_EQ(keys(property),
               (std::vector<std::string>{"cases", "name", "violations", "worst_ratio"}));
@@ -92,13 +92,26 @@ TEST(CheckCommand, CountsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one, two);
 }
 
+TEST(CheckCommand, TakesCasesAsPowersOfTen) {
+  const OracleProcess oracle;
+  const auto cases = [&](const char* number) {
+    return json::parse(
+        oracle
+            .run({"check", "cloud?lights=20", "--size", "16x12", "--cases", number, "--json", "-"})
+            .out)["pairs"];
+  };
+  EXPECT_GE(cases("3e3"), 3000);
+  EXPECT_LT(cases("3e3"), 3000 + 39);
+  EXPECT_EQ(cases("3000"), cases("3e3"));
+}
+
 TEST(CheckCommand, HoldsAtThresholdZero) {
   EXPECT_EQ(OracleProcess().run(with(small_check, {"--threshold", "0"})).exit_code, 0);
 }
 
 TEST(MutantsCommand, CatchesAllOfThem) {
   const Outcome outcome =
-      OracleProcess().run({"mutants", "--size", "32x24", "--pairs", "4000", "--json", "-"});
+      OracleProcess().run({"mutants", "--size", "32x24", "--cases", "4000", "--json", "-"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   const json result = json::parse(outcome.out);
@@ -119,7 +132,7 @@ TEST(MutantsCommand, CatchesAllOfThem) {
 // Of one light there is one cut and one bound: the mutants do nothing wrong.
 TEST(MutantsCommand, FailsWhereTheyEscape) {
   const OracleProcess oracle;
-  const std::vector<std::string> hopeless{"mutants", "cloud?lights=1&blocks=0", "--pairs", "10"};
+  const std::vector<std::string> hopeless{"mutants", "cloud?lights=1&blocks=0", "--cases", "10"};
   const Outcome outcome = oracle.run(hopeless);
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err, "");

@@ -28,7 +28,7 @@ TEST(Help, OfCheckShowsEveryDefault) {
   const std::string help = help_of("check");
   expect_common_defaults(help);
   EXPECT_THAT(help, HasSubstr("--threshold TEXT=2%"));
-  EXPECT_THAT(help, HasSubstr("--pairs UINT=10000000"));
+  EXPECT_THAT(help, HasSubstr("--cases TEXT=1e7"));
 }
 
 TEST(Help, OfReportShowsEveryDefault) {
@@ -52,7 +52,7 @@ TEST(Help, OfMutantsAndInfoShowsEveryDefault) {
     expect_common_defaults(help);
     EXPECT_THAT(help, HasSubstr("--threshold TEXT=2%"));
   }
-  EXPECT_THAT(help_of("mutants"), HasSubstr("--pairs UINT=200000"));
+  EXPECT_THAT(help_of("mutants"), HasSubstr("--cases TEXT=2e5"));
 }
 
 TEST(Help, NamesCommandsAndExitCodes) {
@@ -110,8 +110,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadUsage{"SeedNegative", {"check", "--seed", "-1"}, "'-1' is negative"},
         BadUsage{"ThreadsNegative", {"check", "--threads", "-1"}, "--threads"},
         BadUsage{"ThreadsTooMany", {"check", "--threads", "1000000"}, "1024"},
-        BadUsage{"PairsZero", {"check", "--pairs", "0"}, "'0' is not a whole number above 0"},
-        BadUsage{"PairsNegative", {"check", "--pairs", "-5"}, "'-5' is not a whole number"},
+        BadUsage{"CasesZero", {"check", "--cases", "0"}, "'0' is not a whole number above 0"},
+        BadUsage{"CasesNegative", {"check", "--cases", "-5"}, "'-5' is not a whole number"},
+        BadUsage{"CasesFraction", {"check", "--cases", "1.5e6"}, "'1.5e6' is not a whole number"},
+        BadUsage{"CasesTooMany", {"mutants", "--cases", "2e19"}, "'2e19' is not a whole number"},
+        BadUsage{"CasesByTheirOldName", {"check", "--pairs", "5"}, "--pairs"},
         BadUsage{"LightsZero", {"check", "--lights", "0"}, "'0' is not a whole number above 0"},
         BadUsage{"MaxCutZero", {"check", "--max-cut", "0"}, "'0' is not a whole number above 0"},
         BadUsage{"MaxCutTooLarge", {"check", "--max-cut", "4294967296"}, "--max-cut"},

@@ -38,8 +38,21 @@ struct BoxSight {
     return tangent * tangent;
   }
 
+  /// The same, or a larger one by cos^2(n,h) = (n.l + n.v)^2 / (2 + 2 l.v), given an upper bound of
+  /// n.l and a lower one of l.v: it helps aside of the plane of incidence. It is left out where
+  /// rounding might show in a lobe.
+  [[nodiscard]] double min_half_tangent2(double light_cosine, double between_cosine) const {
+    const double up = light_cosine + frame.viewer_cosine(), sum2 = 2 + 2 * between_cosine;
+    // What is subtracted makes up for the rounding of n.v and of this.
+    const double tangent2 = (sum2 - 0x1p-44) * (1 - 0x1p-30) / (up * up) - 1;
+    const bool counts = sum2 > 0x1p-12 && tangent2 > 0x1p-10;
+    return std::max(min_half_tangent2(), counts ? tangent2 : 0);
+  }
+
   /// Lower and upper bound of n.l, quickly: extremes of n.q and |q| apart. In [0, 1].
-  [[nodiscard]] double min_cosine_quickly() const { return least_cosine(frame.normal(), 0); }
+  [[nodiscard]] double min_cosine_quickly() const {
+    return std::max(0.0, least_cosine(frame.normal(), frame.inverse_normal_length()));
+  }
   [[nodiscard]] double max_cosine_quickly() const {
     double most = 0, scale = 0;
     for (int i = 0; i < 3; ++i) {
@@ -53,10 +66,14 @@ struct BoxSight {
     return limit * limit < nearest2 ? limit / std::sqrt(nearest2) : 1;
   }
 
-  /// Upper bound of Schlick's (1 - v.h)^5, by the extremes of v.q and |q| apart.
-  [[nodiscard]] double max_schlick() const {
-    const double cosine = least_cosine(frame.to_viewer(), -1);
-    const double w = 1 - std::sqrt(0.5 * (1 + cosine)) + 0x1p-44;
+  /// Lower bound of l.v, in the same way. In [-1, 1].
+  [[nodiscard]] double min_between_cosine_quickly() const {
+    return least_cosine(frame.to_viewer(), frame.inverse_viewer_length());
+  }
+
+  /// Upper bound of Schlick's (1 - v.h)^5, given a lower one of l.v.
+  [[nodiscard]] static double max_schlick(double between_cosine) {
+    const double w = 1 - std::sqrt(0.5 * (1 + between_cosine)) + 0x1p-44;
     const double kept = std::max(w, 0x1p-16); // so that rounding is small beside it
     return kept * kept * (kept * kept) * kept;
   }
@@ -65,24 +82,19 @@ private:
   [[nodiscard]] double low(int i) const { return double(box.lo[i]) - from[i]; }
   [[nodiscard]] double high(int i) const { return double(box.hi[i]) - from[i]; }
 
-  /// Lower bound of cos(u,l), u about unit, or `least`.
-  [[nodiscard]] double least_cosine(const glm::vec3& u, double least) const {
+  /// Lower bound of cos(u,l), rounding included.
+  [[nodiscard]] double least_cosine(const glm::vec3& u, double inverse_length) const {
     double dot = 0, scale = 0, farthest2 = 0;
     for (int i = 0; i < 3; ++i) {
-      const double a = u[i] * low(i), b = u[i] * high(i);
       const double far = std::max(std::abs(low(i)), std::abs(high(i)));
-      dot += std::min(a, b);
+      dot += std::min(u[i] * low(i), u[i] * high(i));
       scale += std::abs(u[i]) * far;
       farthest2 += far * far;
     }
-    // A sum that may have lost its digits counts as none. 2^-16: the length of u.
-    if (std::abs(dot) < 0x1p-16 * scale) dot = least < 0 ? -0x1p-15 * scale : 0;
-    constexpr double shrink = 1 - 0x1p-15;
-    if (dot >= 0) return std::max(least, dot * shrink / std::sqrt(farthest2));
-    if (least >= 0) return least;
-    const double nearest2 = min_distance2(from, box);
-    if (dot * dot >= nearest2 * 0.99) return least;
-    return std::max(least, dot / shrink / std::sqrt(nearest2));
+    // The second term makes up for what the sum may have lost.
+    const double limit = (dot - 0x1p-48 * scale) * inverse_length;
+    const double distance2 = limit >= 0 ? farthest2 : min_distance2(from, box);
+    return limit * limit < distance2 ? limit / std::sqrt(distance2) : -1;
   }
 };
 

@@ -12,7 +12,8 @@ namespace lightcuts {
 
 /// Normalised Phong (Lafortune & Willems 1994):
 ///   f(l) = reflectance (exponent + 2)/(2 pi) cos(r,l)^exponent   where cos(r,l) > 0, else 0,
-/// r being the viewer's direction mirrored at the normal.
+/// r being the viewer's direction mirrored at the normal. With reflectance 1 it reflects all light
+/// that comes along the normal, and less of other light.
 struct Phong {
   static constexpr float max_exponent = 0x1p20F;
 
@@ -35,6 +36,8 @@ struct Phong {
     return lobe_bound(reflectance, std::max(normalisation() * power(cosine, exponent), 0x1p-760) *
                                        box.max_cosine_falloff);
   }
+
+  bool operator==(const Phong&) const = default;
 
   /// (exponent + 2) / (2 pi): also the largest f per reflectance.
   [[nodiscard]] double normalisation() const {

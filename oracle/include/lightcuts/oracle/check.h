@@ -28,10 +28,10 @@ struct CheckResult {
   double seconds = 0;
 };
 
-/// Judges the subject on the scene: every property of the tree; every cluster and several cuts at
-/// shading points chosen at random among the pixels that see a surface; shadow rays from there.
-/// Same inputs, same counts, for any number of threads. Throws InputError if the camera sees
-/// nothing.
+/// Judges the subject on the scene: every property of the tree and of the materials; every cluster
+/// and several cuts at shading points chosen at random among the pixels that see a surface; shadow
+/// rays from there. Same inputs, same counts, for any number of threads. Throws InputError if the
+/// camera sees nothing.
 [[nodiscard]] CheckResult check(const SceneView& view, const Subject& subject,
                                 const CheckConfig& config);
 

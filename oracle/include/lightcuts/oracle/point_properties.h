@@ -29,6 +29,14 @@ void check_clusters(const Subject& subject, const PointCase& at, Tally& tally);
 void check_cut(const Subject& subject, const CutConfig& config, const Cut& cut, const PointCase& at,
                Tally& tally);
 
+/// Checks the material at the point with light from the direction of `light`, if that is above the
+/// horizon: brdf-is-reciprocal.
+void check_reciprocity(const PointCase& at, const Light& light, Tally& tally);
+
+/// Checks one part of materials, seen from several angles: brdf-conserves-energy. Reflectances do
+/// not matter.
+void check_energy(const Lobe& lobe, std::uint64_t place, Tally& tally);
+
 /// Checks the tree itself: tree-conserves-intensity, representative-belongs.
 void check_tree(const LightTree& tree, Tally& tally);
 

@@ -23,9 +23,11 @@ enum class Property : std::uint8_t {
   tree_conserves_intensity,
   representative_belongs,
   results_are_finite,
+  brdf_is_reciprocal,
+  brdf_conserves_energy,
   occlusion_equals_brute_force,
 };
-inline constexpr std::size_t property_count = 13;
+inline constexpr std::size_t property_count = 15;
 
 struct PropertyInfo {
   const char* name;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace lightcuts::cli {
+
+/// "1000", or "1e9" for 1000000000: digits, and maybe an exponent of digits. Exact; nothing for any
+/// other text, 0, or 2^64 and more.
+[[nodiscard]] constexpr std::optional<std::uint64_t> parse_count(std::string_view text) {
+  constexpr std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
+  const std::size_t e = text.find_first_of("eE");
+  const auto number = [](std::string_view digits) -> std::optional<std::uint64_t> {
+    std::uint64_t value = 0;
+    for (const char c : digits) {
+      const auto digit = std::uint64_t(c - '0');
+      if (c < '0' || c > '9' || value > (largest - digit) / 10) return std::nullopt;
+      value = 10 * value + digit;
+    }
+    return digits.empty() ? std::nullopt : std::optional(value);
+  };
+  const auto mantissa = number(text.substr(0, e));
+  const auto exponent = e == text.npos ? std::uint64_t{0} : number(text.substr(e + 1));
+  if (!mantissa || !exponent || *mantissa == 0) return std::nullopt;
+  std::uint64_t value = *mantissa;
+  for (std::uint64_t i = 0; i < *exponent; ++i) {
+    if (value > largest / 10) return std::nullopt;
+    value *= 10;
+  }
+  return value;
+}
+
+} // namespace lightcuts::cli

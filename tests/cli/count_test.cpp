@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "../../oracle/cli/count.h"
+
+#include <gtest/gtest.h>
+
+namespace lightcuts::cli {
+namespace {
+
+TEST(ParseCount, ReadsDigitsAndExponents) {
+  EXPECT_EQ(parse_count("1"), 1U);
+  EXPECT_EQ(parse_count("0010"), 10U);
+  EXPECT_EQ(parse_count("1e9"), 1'000'000'000U);
+  EXPECT_EQ(parse_count("25E3"), 25'000U);
+  EXPECT_EQ(parse_count("7e00"), 7U);
+}
+
+// A double would round all of these.
+TEST(ParseCount, IsExactUpToTheEnd) {
+  EXPECT_EQ(parse_count("18446744073709551615"), 18446744073709551615U);
+  EXPECT_EQ(parse_count("1844674407370955161e1"), 18446744073709551610U);
+  EXPECT_EQ(parse_count("9007199254740993"), 9007199254740993U);
+  EXPECT_EQ(parse_count("1e19"), 10000000000000000000U);
+}
+
+TEST(ParseCount, RefusesAnythingElse) {
+  for (const char* text : {"",
+                           "0",
+                           "0e5",
+                           "e9",
+                           "1e",
+                           "-1",
+                           "+1",
+                           "1e-3",
+                           "1e+3",
+                           "1.5e6",
+                           "1 000",
+                           " 1",
+                           "1 ",
+                           "1e9x",
+                           "0x10",
+                           "nan",
+                           "inf",
+                           "1e1e1",
+                           "18446744073709551616",
+                           "18446744073709551620",
+                           "28446744073709551616",
+                           "2e19",
+                           "1e20",
+                           "1e99999999999999999999",
+                           "1e18446744073709551615"})
+    EXPECT_EQ(parse_count(text), std::nullopt) << text;
+}
+
+} // namespace
+} // namespace lightcuts::cli
