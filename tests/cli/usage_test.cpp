@@ -27,14 +27,14 @@ void expect_common_defaults(const std::string& help) {
 TEST(Help, OfCheckShowsEveryDefault) {
   const std::string help = help_of("check");
   expect_common_defaults(help);
-  EXPECT_THAT(help, HasSubstr("--threshold TEXT=2%"));
+  EXPECT_THAT(help, HasSubstr("--threshold TEXT=auto"));
   EXPECT_THAT(help, HasSubstr("--cases TEXT=1e7"));
 }
 
 TEST(Help, OfReportShowsEveryDefault) {
   const std::string help = help_of("report");
   expect_common_defaults(help);
-  for (const char* part : {"default: out/SCENE", "=[reference,lightcuts]", "=[1%,2%,4%,8%]",
+  for (const char* part : {"default: out/SCENE", "=[reference,lightcuts]", "=[auto]",
                            "--repeats INT:INT in [1 - 99]=3"})
     EXPECT_THAT(help, HasSubstr(part));
 }
@@ -42,7 +42,7 @@ TEST(Help, OfReportShowsEveryDefault) {
 TEST(Help, OfRenderShowsEveryDefault) {
   const std::string help = help_of("render");
   expect_common_defaults(help);
-  for (const char* part : {"--threshold TEXT=2%", "default: out/SCENE", "=lightcuts"})
+  for (const char* part : {"--threshold TEXT=auto", "default: out/SCENE", "=lightcuts"})
     EXPECT_THAT(help, HasSubstr(part));
 }
 
@@ -50,7 +50,7 @@ TEST(Help, OfMutantsAndInfoShowsEveryDefault) {
   for (const char* command : {"mutants", "info"}) {
     const std::string help = help_of(command);
     expect_common_defaults(help);
-    EXPECT_THAT(help, HasSubstr("--threshold TEXT=2%"));
+    EXPECT_THAT(help, HasSubstr("--threshold TEXT=auto"));
   }
   EXPECT_THAT(help_of("mutants"), HasSubstr("--cases TEXT=2e5"));
 }

@@ -3,10 +3,13 @@
 
 #include <atomic>
 #include <cmath>
+#include <iostream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lightcuts/input_error.h>
+
+#include <lightcuts/render/builtin_scenes.h>
 
 #include "small_scene.h"
 
@@ -181,6 +184,30 @@ TEST(DescribeNeeds, SaysWhatIsNeededAndWhatIsLeftOut) {
   describe_needs(view, needs, 0.02F, needed, left_out);
   EXPECT_EQ(needed.size(), 5U);
   EXPECT_TRUE(left_out.empty());
+}
+
+/// Mean relative error of lightcuts at the scene's own threshold.
+double mean_error_at_default(const std::string& spec) {
+  Scene scene = make_builtin(spec);
+  scene.image_size = {40, 30};
+  const SceneView view(scene);
+  MeasureConfig config;
+  config.thresholds = {default_threshold(view)};
+  config.max_cut = 5000;
+  config.repeats = 1;
+  const Measurement m = measure(view, config);
+  return m.report.runs.back().mean_relative_error;
+}
+
+TEST(DefaultThreshold, MakesAMeanErrorOfAtMostOnePercent) {
+  for (const char* parameters : {"", "&material=phong", "&material=ggx", "&kind=directional",
+                                 "&kind=oriented", "&kind=mixed"})
+    for (const char* blocks : {"&blocks=0", "&blocks=40"}) {
+      const std::string spec = std::string("cloud?lights=5000") + blocks + parameters;
+      const double error = mean_error_at_default(spec);
+      std::cout << spec << ": " << 100 * error << " %\n";
+      EXPECT_LE(error, 0.01) << spec;
+    }
 }
 
 } // namespace

@@ -71,9 +71,10 @@ double cost_of_sum(const SceneView& view, const std::vector<VisiblePoint>& point
 } // namespace
 
 float default_threshold(const SceneView& view) {
-  if (view.may_occlude()) return 0.01F;
-  if ((view.scene().lights.kinds() & kinds_with_axis) != 0) return 0.02F;
-  return any_specular(view.scene()) ? 0.08F : 0.5F;
+  const LightKinds kinds = view.scene().lights.kinds();
+  if (view.may_occlude()) return (kinds & ~kinds_with_axis) != 0 ? 0.01F : 0.005F;
+  if ((kinds & kinds_with_axis) != 0) return 0.02F;
+  return any_specular(view.scene()) ? 0.16F : 0.5F;
 }
 
 Needs find_needs(const SceneView& view, const LightTree& tree, const CutConfig& config) {
