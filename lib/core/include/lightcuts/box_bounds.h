@@ -210,7 +210,7 @@ template <class Falloff>
       squares[i][high] = q * q;
       scale = std::max(scale, std::abs(dots[i][high]));
     }
-  double least = std::numeric_limits<double>::infinity();
+  double least_squared = std::numeric_limits<double>::infinity();
   for (int bits = 0; bits < 8; ++bits) {
     const int a = bits & 1, b = bits >> 1 & 1, c = bits >> 2;
     double n_dot_q = dots[0][a] + dots[1][b] + dots[2][c];
@@ -219,9 +219,10 @@ template <class Falloff>
           n, x, {a ? box.hi.x : box.lo.x, b ? box.hi.y : box.lo.y, c ? box.hi.z : box.lo.z});
     if (n_dot_q <= 0) return 0;
     const double length2 = squares[0][a] + squares[1][b] + squares[2][c];
-    least = std::min(least, n_dot_q / std::sqrt(length2) * falloff(length2));
+    const double unrooted = n_dot_q * falloff(length2);
+    least_squared = std::min(least_squared, unrooted * unrooted / length2); // one root will do
   }
-  return least;
+  return std::sqrt(least_squared);
 }
 
 /// min of max(0, n.q)/|q|^3 over the box; see min_cosine_times().
