@@ -16,7 +16,8 @@ inline constexpr double exponential_error = 0x1p-48;
   // t = k ln 2 - r, |r| <= ln(2)/2; ln 2 in two parts, so that k times the first is exact.
   constexpr double ln2_high = 0x1.62e42feep-1, ln2_low = 0x1.a39ef35793c76p-33;
   constexpr double per_ln2 = 0x1.71547652b82fep+0;
-  const auto k = static_cast<std::int64_t>(0.5 + per_ln2 * t); // NOLINT(bugprone-incorrect-roundings)
+  const auto k =
+      static_cast<std::int64_t>(0.5 + per_ln2 * t); // NOLINT(bugprone-incorrect-roundings)
   const double r = (double(k) * ln2_high - t) + double(k) * ln2_low;
   double sum = 1;
   for (int i = 14; i >= 1; --i) sum = 1 + sum * r / i;

@@ -29,9 +29,9 @@ struct Needs {
 
 /// The threshold that gives pictures with a mean error of 1 % or less, chosen from curves of error
 /// against threshold over the `cloud` scenes: 1 % where something may occlude, since visibility
-/// then makes the error; 0.5 % where all lights are oriented or spots besides. In the open estimates
-/// are far better than their bounds: 2 % with oriented lights or spots, 16 % with glossy surfaces,
-/// 50 % without either.
+/// then makes the error; 0.5 % where all lights are oriented or spots besides. In the open
+/// estimates are far better than their bounds: 2 % with oriented lights or spots, 16 % with glossy
+/// surfaces, 50 % without either.
 [[nodiscard]] float default_threshold(const SceneView& view);
 
 /// Looks at the scene, and at cuts for about 200 pixels chosen by position. Decides by counting
