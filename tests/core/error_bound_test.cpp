@@ -191,6 +191,20 @@ TEST(ContributionBound, DominatesInTheSharpestLobe) {
   }
 }
 
+// The lobe is so narrow that the rounding of the stored mirror direction is a thousandth of it.
+TEST(ContributionBound, DominatesWhereTheMirrorDirectionsRoundingShows) {
+  gen::Dice dice{rc::Random(2)};
+  for (int i = 0; i < 4000; ++i) {
+    const glm::vec3 n = dice.unit_vector();
+    const Lobe lobes[] = {Ward{glm::vec3(1), Ward::min_alpha},
+                          CookTorrance{glm::vec3(1), CookTorrance::min_alpha}};
+    const ShadingPoint point({0, 0, 0}, n, n, {glm::vec3(0), lobes[i % 2]});
+    const glm::vec3 y = 1000.0F * n + 0.1F * dice.in_cube();
+    const glm::vec3 bound = bound_of_light(y, glm::vec3(1), point);
+    EXPECT_GE(Quad(bound.x), precise::transfer(point, y)[0]);
+  }
+}
+
 TEST(ContributionBound, OfALeafIsItsContributionRoundedUp) {
   const ShadingPoint point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {glm::vec3(1), {}});
   const glm::vec3 bound = bound_of_light({0, 0, 2}, {1, 0, 4}, point);
