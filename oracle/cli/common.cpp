@@ -13,7 +13,6 @@
 #include <lightcuts/render/area_lights.h>
 #include <lightcuts/render/environment_lights.h>
 #include <lightcuts/render/light_generator.h>
-#include <lightcuts/render/needs.h>
 #include <lightcuts/render/open_scene.h>
 #include <lightcuts/render/output_folder.h>
 #include <lightcuts/render/surfels.h>
@@ -211,8 +210,8 @@ void add_threshold_option(CLI::App& command, CommonOptions& options) {
   command
       .add_option(
           "--threshold", options.threshold,
-          "error bound allowed per cluster, relative to the pixel's total; auto: what makes a "
-          "mean error of about 1 %: 1% where something may occlude, else up to 50%")
+          "error bound allowed per cluster, relative to the pixel's total; auto: 0.5% to 50%, "
+          "chosen by scene for a mean error of 1 % or less")
       ->check(check_threshold)
       ->capture_default_str();
 }

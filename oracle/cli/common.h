@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <glm/vec2.hpp>
 #include <lightcuts/oracle/check.h>
+#include <lightcuts/render/needs.h>
 #include <lightcuts/render/output_folder.h>
 #include <lightcuts/render/scene.h>
 #include <nlohmann/json.hpp>
@@ -25,7 +26,7 @@ struct CommonOptions {
   unsigned threads = 0;
   std::string threshold = "auto";
   std::string cases = "1e7";
-  std::uint32_t max_cut = 1000;
+  std::uint32_t max_cut = default_max_cut;
   std::string size;
   std::uint32_t lights = 0;
   std::uint32_t area_lights = 0;

@@ -91,10 +91,9 @@ void add_report_command(CLI::App& app, Action& chosen) {
       ->check(CLI::IsMember({"reference", "paper", "lightcuts"}))
       ->capture_default_str();
   command
-      ->add_option(
-          "--thresholds,--threshold", options->thresholds,
-          "of the methods that have one, separated by commas; auto: four about what makes a "
-          "mean error of 1 %, see render")
+      ->add_option("--thresholds,--threshold", options->thresholds,
+                   "of the methods that have one, separated by commas; auto: half, once, twice "
+                   "and four times that of render --threshold auto")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(check_threshold)

@@ -19,7 +19,7 @@ std::string help_of(const std::string& command) {
 void expect_common_defaults(const std::string& help) {
   for (const char* part :
        {"SCENE TEXT=desk", "--seed UINT=1", "--threads UINT:UINT in [0 - 1024]=0",
-        "--max-cut UINT=1000", "--size TEXT", "default: the scene's", "--json TEXT",
+        "--max-cut UINT=5000", "--size TEXT", "default: the scene's", "--json TEXT",
         "default: no JSON"})
     EXPECT_THAT(help, HasSubstr(part));
 }

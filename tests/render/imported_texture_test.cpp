@@ -109,7 +109,8 @@ TEST_F(ImportedTexture, of_a_gltf_stands_upright_and_multiplies_the_base_colour)
   const std::array<Material, 4> seen = quarters(scene);
   const glm::vec3 base(0.8F, 0.6F, 0.4F);
   for (unsigned i = 0; i < 4; ++i)
-    expect_near(std::get<CookTorrance>(seen[i].lobe).f0, glm::mix(glm::vec3(0.04F), base * four()[i], 0.25F));
+    expect_near(std::get<CookTorrance>(seen[i].lobe).f0,
+                glm::mix(glm::vec3(0.04F), base * four()[i], 0.25F));
 }
 
 TEST_F(ImportedTexture, colours_all_of_a_metal_and_nothing_of_a_dielectrics_reflection) {

@@ -15,7 +15,7 @@ struct MeasureConfig {
   std::uint64_t seed = 1;
   std::vector<Method> methods{Method::reference, Method::lightcuts};
   std::vector<float> thresholds{0.01F, 0.02F, 0.04F, 0.08F}; ///< of the methods that have one
-  std::uint32_t max_cut = 1000;
+  std::uint32_t max_cut = default_max_cut;
   unsigned threads = 0;                 ///< 0: one per core
   int repeats = 3;                      ///< runs of each row, in turn; the median counts
   std::function<void(double)> progress; ///< share done; may be empty
