@@ -16,6 +16,10 @@ using precise::Point;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
+double least_cosine_over_distance2(const BoxView& v) {
+  return min_cosine_times(v.n, v.x, v.box, [](double length2) { return 1 / length2; });
+}
+
 /// A grid over the box with its corners, edges and faces.
 std::vector<Point> grid(const precise::ExactBox& box) {
   constexpr int steps = 4;
@@ -159,7 +163,7 @@ TEST(MaxCosineOverDistance2, IsFiniteForAFarLightBarelyAboveTheHorizon) {
 
 RC_GTEST_PROP(MinCosineOverDistance2, IsBelowEverySampleOfTheBoxAndEqualsOne, ()) {
   const BoxView v = *gen::box_view();
-  const double least = min_cosine_over_distance2(v.n, v.x, v.box);
+  const double least = least_cosine_over_distance2(v);
   RC_ASSERT(least >= 0);
   bool reached = false;
   bool behind = false;
@@ -182,7 +186,7 @@ RC_GTEST_PROP(MinCosineOverDistance2, IsBelowEverySampleOfTheBoxAndEqualsOne, ()
 // Corners are enough: what is said of them holds for the points between.
 RC_GTEST_PROP(MinCosineOverDistance2, IsBelowThePointsInside, ()) {
   const BoxView v = *gen::box_view();
-  const double least = min_cosine_over_distance2(v.n, v.x, v.box);
+  const double least = least_cosine_over_distance2(v);
   const Point n{Exact(v.n.x), Exact(v.n.y), Exact(v.n.z)};
   for (const Point& q : grid(precise::ExactBox(v.x, v.box))) {
     const Exact n_dot_q = n[0] * q[0] + n[1] * q[1] + n[2] * q[2];

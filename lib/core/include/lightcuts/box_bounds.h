@@ -197,7 +197,7 @@ inline glm::dvec3 corner(const Box& box, int bits, const glm::vec3& x) {
 
 /// min of max(0, n.q)/|q| falloff(|q|^2) over the box, relative error box_bound_error: at a corner,
 /// for a falloff that makes this quasi-concave where it is positive: 1, 1/|q|^2, and the smaller of
-/// such. 0 if some q has n.q <= 0, or is 0.
+/// such. 0 if some q has n.q <= 0, or is 0. Below 10^-150 its square may underflow.
 template <class Falloff>
 [[nodiscard]] double min_cosine_times(const glm::vec3& n, const glm::vec3& x, const Box& box,
                                       Falloff&& falloff) {
@@ -223,12 +223,6 @@ template <class Falloff>
     least_squared = std::min(least_squared, unrooted * unrooted / length2); // one root will do
   }
   return std::sqrt(least_squared);
-}
-
-/// min of max(0, n.q)/|q|^3 over the box; see min_cosine_times().
-[[nodiscard]] inline double min_cosine_over_distance2(const glm::vec3& n, const glm::vec3& x,
-                                                      const Box& box) {
-  return min_cosine_times(n, x, box, [](double length2) { return 1 / length2; });
 }
 
 /// min |q|^2 over the box, 0 if and only if x lies in it; relative error 2^-50.

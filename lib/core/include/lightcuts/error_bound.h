@@ -22,60 +22,77 @@ namespace lightcuts {
 /// one smallest subnormal float: 2^-23 from the last rounding, the rest before it.
 inline constexpr double bound_excess = 0x1p-22;
 
+/// The suprema over a box of one kind of light that bounds are products of. What derives from it
+/// may put its own in their place; see bound_by().
+template <class TheFeatures>
+struct JointSuprema {
+  using Features = TheFeatures;
+
+  /// Of n.l falloff, n about unit, times the length of n. Tight: both factors in one.
+  static double reach(LightKind kind, const glm::vec3& n, const glm::vec3& from, const Box& box,
+                      double min_distance2) {
+    if (Features::known(kind) == LightKind::directional) return max_cosine(n, from, box);
+    const double reach = max_cosine_over_distance2(n, from, box);
+    // The clamped one is the smaller of two, and so is its supremum at most.
+    if constexpr (Features::clamps)
+      if (min_distance2 > 0 && reach > 0)
+        return std::min(reach, max_cosine(n, from, box) / min_distance2);
+    return reach;
+  }
+
+  /// Of the falloff alone.
+  static double falloff(LightKind kind, const glm::vec3& from, const Box& box,
+                        double min_distance2) {
+    if (Features::known(kind) == LightKind::directional) return 1;
+    double nearest2 = lightcuts::min_distance2(from, box);
+    if constexpr (Features::clamps) nearest2 = std::max(nearest2, min_distance2);
+    return 1 / nearest2;
+  }
+
+  /// Of emission() of the lights of node i, where they have axes.
+  static double emission(const LightTree& tree, std::uint32_t i, LightKind kind,
+                         const glm::vec3& from) {
+    return max_emission(Features::known(kind), tree.emission(i), from, tree.node(i).box);
+  }
+};
+
+/// The same with separate maxima of n.l and the falloff, as the paper has it: looser.
+template <class Features>
+struct ProductSuprema : JointSuprema<Features> {
+  static double reach(LightKind kind, const glm::vec3& n, const glm::vec3& from, const Box& box,
+                      double min_distance2) {
+    const double cosine = max_cosine(n, from, box);
+    return cosine == 0 ? 0
+                       : cosine * JointSuprema<Features>::falloff(kind, from, box, min_distance2);
+  }
+};
+
 namespace detail {
 
 // Makes up for the errors of the box bounds, the lobes, and some roundings.
 inline constexpr double bound_inflation = 1 + 0x1p-26;
 static_assert(4 * box_bound_error + power_error + 0x1p-48 < 0x1p-26);
 
-/// Supremum of n.l falloff over the box, n about unit, times the length of n. Tight: both factors
-/// in one.
-template <class Features>
-double joint_reach(LightKind kind, const glm::vec3& n, const glm::vec3& from, const Box& box,
-                   double min_distance2) {
-  if (Features::known(kind) == LightKind::directional) return max_cosine(n, from, box);
-  const double reach = max_cosine_over_distance2(n, from, box);
-  // The clamped one is the smaller of two, and so is its supremum at most.
-  if constexpr (Features::clamps)
-    if (min_distance2 > 0 && reach > 0)
-      return std::min(reach, max_cosine(n, from, box) / min_distance2);
-  return reach;
-}
-
-/// Supremum of the falloff alone.
-template <class Features>
-double falloff_reach(LightKind kind, const glm::vec3& from, const Box& box, double min_distance2) {
-  if (Features::known(kind) == LightKind::directional) return 1;
-  double nearest2 = lightcuts::min_distance2(from, box);
-  if constexpr (Features::clamps) nearest2 = std::max(nearest2, min_distance2);
-  return 1 / nearest2;
-}
-
-/// As the paper has it: the product of separate maxima.
-template <class Features>
-double product_reach(LightKind kind, const glm::vec3& n, const glm::vec3& from, const Box& box,
-                     double min_distance2) {
-  const double cosine = max_cosine(n, from, box);
-  return cosine == 0 ? 0 : cosine * falloff_reach<Features>(kind, from, box, min_distance2);
-}
-
 /// intensity emission (diffuse/pi max(n.l falloff) + max(lobe n.l falloff)), rounded up.
-template <class Features, class OneLobe>
-glm::vec3 bound_of_cluster(const LightTree& tree, std::uint32_t i, const ShadingPoint& point,
-                           const OneLobe& lobe, double reach, const glm::vec3& from) {
+template <class Suprema, class OneLobe>
+glm::vec3 bound_of_cluster(const Suprema& suprema, const LightTree& tree, std::uint32_t i,
+                           const ShadingPoint& point, const OneLobe& lobe) {
+  using Features = typename Suprema::Features;
   const TreeNode& cluster = tree.node(i);
+  const LightKind kind = Features::known(cluster.kind());
+  const glm::vec3 from = viewed_from(kind, point.position());
+  const double reach = suprema.reach(kind, point.normal(), from, cluster.box, tree.min_distance2());
   if (reach == 0) return glm::vec3(0);
   const double geometric = reach * point.inverse_normal_length() * bound_inflation;
   double emitted = 1;
   if constexpr (Features::has_axes)
     if (Features::uniform || (cluster.kinds & kinds_with_axis) != 0) {
-      emitted = max_emission(Features::known(cluster.kind()), tree.emission(i), from, cluster.box);
+      emitted = suprema.emission(tree, i, kind, from);
       if (emitted == 0) return glm::vec3(0);
     }
   glm::dvec3 shine(0);
   if constexpr (!std::is_same_v<OneLobe, NoLobe>) {
-    const double falloff =
-        falloff_reach<Features>(cluster.kind(), from, cluster.box, tree.min_distance2());
+    const double falloff = suprema.falloff(kind, from, cluster.box, tree.min_distance2());
     shine = lobe.bound(BoxSight{point, from, cluster.box, geometric, falloff * bound_inflation});
   }
   glm::vec3 bound;
@@ -103,44 +120,37 @@ glm::dvec3 over_kinds(const LightTree& tree, std::uint32_t i, const OneKind& one
   return one_kind(i);
 }
 
-/// Per channel.
-inline glm::vec3 rounded_up(const glm::dvec3& v) {
-  return {round_up(v.x), round_up(v.y), round_up(v.z)};
-}
-
 } // namespace detail
 
 /// Upper bound, per channel, of the cluster's contribution to the radiance seen at the point,
-/// whatever is visible:
-///   intensity max(emission) (diffuse/pi max(n.l falloff) + max(lobe n.l falloff)),
-/// each maximum over the cluster's box: that of n.l/|q|^2 in one and exact, those of the lobe and
-/// of emission as stated there. A mixed cluster: the sum of its children's. Since 0 <= truth <=
-/// bound, it bounds the error of any estimate between 0 and it, too (Walter et al. 2005,
-/// section 4.1). Rounded up: never below the supremum in real numbers. Never NaN; +inf only where
-/// the supremum is, or where it exceeds the largest float.
+/// whatever is visible, by the given suprema over a box:
+///   intensity max(emission) (diffuse/pi max(n.l falloff) + max(lobe n.l falloff)) ,
+/// lobe.bound() being the last of them. A mixed cluster: the sum of its children's. Rounded up.
+template <class Suprema, class OneLobe>
+[[nodiscard]] glm::vec3 bound_by(const Suprema& suprema, const LightTree& tree, std::uint32_t node,
+                                 const ShadingPoint& point, const OneLobe& lobe) {
+  using Features = typename Suprema::Features;
+  const glm::dvec3 bound = detail::over_kinds<Features>(tree, node, [&](std::uint32_t i) {
+    return glm::dvec3(detail::bound_of_cluster(suprema, tree, i, point, lobe));
+  });
+  return {round_up(bound.x), round_up(bound.y), round_up(bound.z)}; // of a sum
+}
+
+/// bound_by() with the maximum of n.l/|q|^2 over the cluster's box in one and exact, those of the
+/// lobe and of emission as stated there. Since 0 <= truth <= bound, it bounds the error of any
+/// estimate between 0 and it, too (Walter et al. 2005, section 4.1). Never below the supremum in
+/// real numbers. Never NaN; +inf only where the supremum is, or where it exceeds the largest float.
 template <class Features = AnyFeatures, class OneLobe>
 [[nodiscard]] glm::vec3 contribution_bound(const LightTree& tree, std::uint32_t node,
                                            const ShadingPoint& point, const OneLobe& lobe) {
-  return detail::rounded_up(detail::over_kinds<Features>(tree, node, [&](std::uint32_t i) {
-    const LightKind kind = tree.node(i).kind();
-    const glm::vec3 from = viewed_from(Features::known(kind), point.position());
-    const double reach = detail::joint_reach<Features>(kind, point.normal(), from, tree.node(i).box,
-                                                       tree.min_distance2());
-    return glm::dvec3(detail::bound_of_cluster<Features>(tree, i, point, lobe, reach, from));
-  }));
+  return bound_by(JointSuprema<Features>(), tree, node, point, lobe);
 }
 
-/// The same with separate maxima of n.l and the falloff, as the paper has it: looser.
+/// The same by ProductSuprema.
 template <class Features = AnyFeatures, class OneLobe>
 [[nodiscard]] glm::vec3 product_bound(const LightTree& tree, std::uint32_t node,
                                       const ShadingPoint& point, const OneLobe& lobe) {
-  return detail::rounded_up(detail::over_kinds<Features>(tree, node, [&](std::uint32_t i) {
-    const LightKind kind = tree.node(i).kind();
-    const glm::vec3 from = viewed_from(Features::known(kind), point.position());
-    const double reach = detail::product_reach<Features>(kind, point.normal(), from,
-                                                         tree.node(i).box, tree.min_distance2());
-    return glm::dvec3(detail::bound_of_cluster<Features>(tree, i, point, lobe, reach, from));
-  }));
+  return bound_by(ProductSuprema<Features>(), tree, node, point, lobe);
 }
 
 /// Lower bound of the cluster's contribution where nothing occludes: intensity min(emission)
