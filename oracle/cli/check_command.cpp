@@ -9,7 +9,7 @@
 #include "common.h"
 #include "progress.h"
 #include <lightcuts/oracle/check.h>
-#include <lightcuts/oracle/mutants.h>
+#include <lightcuts/oracle/library_subject.h>
 #include <lightcuts/render/needs.h>
 #include <lightcuts/tree_builder.h>
 
@@ -80,7 +80,7 @@ int run(const CommonOptions& options) {
   {
     Progress progress("check " + options.scene);
     config.progress = progress.callback();
-    result = check(view, *oracle::library_subject(tree), config);
+    result = check(view, *oracle::library_subject(), config);
   }
   const std::string json = json_of(options, result, config.cut);
   folder.write("check.json", json);

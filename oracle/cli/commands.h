@@ -17,5 +17,6 @@ void add_mutants_command(CLI::App& app, Action& chosen);
 void add_render_command(CLI::App& app, Action& chosen);
 void add_report_command(CLI::App& app, Action& chosen);
 void add_scenes_command(CLI::App& app, Action& chosen);
+void add_stress_command(CLI::App& app, Action& chosen);
 
 } // namespace lightcuts::cli

@@ -261,6 +261,7 @@ void add_cases_option(CLI::App& command, CommonOptions& options) {
 oracle::CheckConfig check_config_for(const CommonOptions& options, const SceneView& view) {
   oracle::CheckConfig config;
   config.seed = options.seed;
+  config.tree_seed = options.seed;
   config.pairs = *parse_count(options.cases);
   config.threads = options.threads;
   config.cut = {threshold_for(options, view), options.max_cut, 0};

@@ -8,8 +8,8 @@
 #include "common.h"
 #include "progress.h"
 #include <lightcuts/oracle/check.h>
+#include <lightcuts/oracle/library_subject.h>
 #include <lightcuts/oracle/mutants.h>
-#include <lightcuts/tree_builder.h>
 
 namespace lightcuts::cli {
 namespace {
@@ -67,7 +67,6 @@ int run(const CommonOptions& options) {
   JsonFolder folder(options);
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
-  const LightTree tree = build(scene.lights, {options.seed});
   oracle::CheckConfig config = check_config_for(options, view);
 
   std::vector<Verdict> verdicts;
@@ -75,12 +74,12 @@ int run(const CommonOptions& options) {
   {
     Progress progress("mutants");
     for (const oracle::Mutant& mutant : oracle::mutants()) {
-      verdicts.push_back(judge(view, *mutant.make(tree), config));
+      verdicts.push_back(judge(view, *mutant.subject(), config));
       caught += verdicts.back().violated ? 1 : 0;
       progress.update(double(verdicts.size()) / double(oracle::mutants().size() + 1));
     }
   }
-  const Verdict library = judge(view, *oracle::library_subject(tree), config);
+  const Verdict library = judge(view, *oracle::library_subject(), config);
   const std::string json = json_of(verdicts, library, caught);
   folder.write("mutants.json", json);
   print_results(options, table_of(verdicts, library, caught), json);

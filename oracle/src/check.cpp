@@ -12,8 +12,7 @@
 #include <tbb/task_arena.h>
 
 #include <lightcuts/input_error.h>
-#include <lightcuts/oracle/brute_force_occlusion.h>
-#include <lightcuts/oracle/point_properties.h>
+#include <lightcuts/oracle/case_properties.h>
 #include <lightcuts/oracle/random_pixels.h>
 #include <lightcuts/oracle/white_furnace.h>
 
@@ -23,16 +22,12 @@ namespace {
 /// Cuts of three kinds at each point: as configured, exact, and too small to converge.
 struct Cuts {
   CutConfig config, exact, small;
-  std::unique_ptr<Selector> configured_selector, exact_selector, small_selector;
 
-  Cuts(const Subject& subject, const CutConfig& cut) : config(cut), exact(cut), small(cut) {
+  Cuts(const CutConfig& cut, std::size_t lights) : config(cut), exact(cut), small(cut) {
     exact.threshold = 0;
     exact.black_level = 0;
-    exact.max_size = static_cast<std::uint32_t>(subject.tree().lights().size());
+    exact.max_size = static_cast<std::uint32_t>(lights);
     small.max_size = 7;
-    configured_selector = subject.selector(config);
-    exact_selector = subject.selector(exact);
-    small_selector = subject.selector(small);
   }
 };
 
@@ -40,12 +35,12 @@ struct Cuts {
 struct Worker {
   Tally tally;
   Truth truth;
+  std::unique_ptr<SubjectTree> tree;
   std::vector<char> visible;
-  Cuts cuts;
-  std::uint64_t rays = 0, undecided_rays = 0;
+  RayCount rays;
 
-  Worker(const Subject& subject, const CutConfig& cut)
-      : visible(subject.tree().lights().size()), cuts(subject, cut) {}
+  Worker(const SubjectTree& of, std::size_t lights)
+      : tree(of.for_another_thread()), visible(lights) {}
 };
 
 // Of the lights, so many at each point.
@@ -71,45 +66,26 @@ std::vector<Lobe> parts_of(const Scene& scene) {
 // Exact cuts cost N log N, the others much less: one point in eight has one.
 constexpr std::uint64_t points_per_exact_cut = 8;
 
-void check_point(const SceneView& view, const Subject& subject, std::uint64_t place,
-                 const VisiblePoint& p, std::uint64_t seed, Worker& w) {
+void check_point(const SceneView& view, Parts parts, const Topology& topology, const Cuts& cuts,
+                 std::uint64_t place, const VisiblePoint& p, std::uint64_t seed, Worker& w) {
+  const LightSet& lights = view.scene().lights;
   for (std::uint32_t i = 0; i < w.visible.size(); ++i) w.visible[i] = view.sees(p, i) ? 1 : 0;
-  w.truth.evaluate(subject.tree(), p.point, w.visible);
+  w.truth.evaluate(topology, lights, p.point, w.visible);
   const PointCase at{place, p.point, w.visible, w.truth};
-  check_clusters(subject, at, w.tally);
-  check_material(at, view.scene().lights, seed + 2, w.tally);
+  const Judged judged{*w.tree, parts};
+  check_clusters(judged, at, w.tally);
+  check_material(at, lights, seed + 2, w.tally);
+  if (!judged.has(Part::cuts)) return;
 
-  const auto visible = [&w](std::uint32_t light) { return w.visible[light] != 0; };
-  const auto check_selected = [&](Selector& selector, const CutConfig& config) {
-    check_cut(subject, config, selector.select(p.point, visible), at, w.tally);
+  const auto visible = [&w](std::uint32_t light) {
+    return light < w.visible.size() && w.visible[light] != 0;
   };
-  check_selected(*w.cuts.configured_selector, w.cuts.config);
-  check_selected(*w.cuts.small_selector, w.cuts.small);
-  if (place % points_per_exact_cut == 0) check_selected(*w.cuts.exact_selector, w.cuts.exact);
-}
-
-void check_ray(const SceneView& view, const VisiblePoint& from, std::uint64_t place,
-               std::uint32_t light, Worker& w) {
-  const Light& the_light = view.scene().lights[light];
-  const glm::vec3& y = the_light.position;
-  const ShadowRay ray = view.ray_to(from, light);
-  // A light behind the surface is never asked for.
-  if (transfer(from.point, the_light) == glm::dvec3(0)) return;
-  ++w.rays;
-  const Occlusion brute = brute_force_occlusion(view.scene().mesh, ray);
-  if (brute == Occlusion::undecided) {
-    ++w.undecided_rays;
-    return;
-  }
-  const bool sees = view.sees(from, light);
-  w.tally.record(Property::occlusion_equals_brute_force, sees == (brute == Occlusion::clear), place,
-                 no_ratio, [&] {
-                   const glm::vec3& o = ray.origin;
-                   return fmt::format("from ({:.9g}, {:.9g}, {:.9g}) to light {} at ({:.9g}, "
-                                      "{:.9g}, {:.9g}): {}, by brute force {}",
-                                      o.x, o.y, o.z, light, y.x, y.y, y.z,
-                                      sees ? "seen" : "blocked", sees ? "blocked" : "seen");
-                 });
+  const auto check_selected = [&](const CutConfig& config) {
+    check_cut(judged, config, w.tree->select(p.point, config, visible), at, w.tally);
+  };
+  check_selected(cuts.config);
+  check_selected(cuts.small);
+  if (place % points_per_exact_cut == 0) check_selected(cuts.exact);
 }
 
 /// Enough for about a second of brute force.
@@ -123,26 +99,31 @@ using Clock = std::chrono::steady_clock;
 
 CheckResult check(const SceneView& view, const Subject& subject, const CheckConfig& config) {
   const auto start = Clock::now();
-  const LightTree& tree = subject.tree();
-  if (tree.empty()) throw InputError(view.scene().name + ": no lights");
+  const LightSet& lights = view.scene().lights;
+  if (lights.empty()) throw InputError(view.scene().name + ": no lights");
   CheckResult result;
-  check_tree(tree, result.tally);
+  const std::unique_ptr<SubjectTree> tree = subject.build(lights, config.tree_seed);
+  const std::optional<Topology> topology = check_tree(tree->claim(), lights, 0, result.tally);
+  if (!topology) return result;
 
-  result.points = config.pairs / tree.nodes().size() + (config.pairs % tree.nodes().size() != 0);
-  result.pairs = result.points * tree.nodes().size();
-  const std::uint64_t rays = rays_to_check(view.scene());
+  result.points = config.pairs / topology->size() + (config.pairs % topology->size() != 0);
+  result.pairs = result.points * topology->size();
+  const Cuts cuts(config.cut, lights.size());
+  const std::uint64_t rays =
+      has(subject.parts(), Part::occlusion) ? rays_to_check(view.scene()) : 0;
   std::atomic<std::uint64_t> done = 0;
-  tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(subject, config.cut); });
+  tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(*tree, lights.size()); });
 
   const auto check_points = [&](const tbb::blocked_range<std::uint64_t>& range) {
     Worker& w = workers.local();
     for (std::uint64_t i = range.begin(); i < range.end(); ++i) {
       const VisiblePoint p = random_point(view, config.seed, i);
-      check_point(view, subject, i, p, config.seed, w);
+      check_point(view, subject.parts(), *topology, cuts, i, p, config.seed, w);
       // The rays, dealt out evenly to the points.
       for (std::uint64_t r = i * rays / result.points; r < (i + 1) * rays / result.points; ++r)
-        check_ray(view, p, i,
-                  static_cast<std::uint32_t>(hashed(config.seed + 1, r) % tree.lights().size()), w);
+        check_ray(subject, view, p,
+                  static_cast<std::uint32_t>(hashed(config.seed + 1, r) % lights.size()), i, w.rays,
+                  w.tally);
     }
     const std::uint64_t now = done += range.size();
     if (config.progress) config.progress(double(now) / double(result.points));
@@ -159,8 +140,8 @@ CheckResult check(const SceneView& view, const Subject& subject, const CheckConf
 
   for (const Worker& w : workers) {
     result.tally.merge(w.tally);
-    result.rays += w.rays;
-    result.undecided_rays += w.undecided_rays;
+    result.rays += w.rays.rays;
+    result.undecided_rays += w.rays.undecided;
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,13 +17,14 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-std::string describe(const PointCase& at, std::uint32_t node, const TreeNode& cluster, int channel,
-                     const char* left, long double value, const char* right, double limit) {
+std::string describe(const PointCase& at, std::uint32_t node, int channel, const char* left,
+                     long double value, const char* right, double limit) {
   const glm::vec3& x = at.point.position();
+  const std::uint32_t lights = at.topology().light_count(node);
   return fmt::format("point ({:.9g}, {:.9g}, {:.9g}), node {} of {} light{}, channel {}: "
                      "{} {:.9g}, {} {:.9g}",
-                     x.x, x.y, x.z, node, cluster.light_count, cluster.light_count == 1 ? "" : "s",
-                     "rgb"[channel], left, static_cast<double>(value), right, limit);
+                     x.x, x.y, x.z, node, lights, lights == 1 ? "" : "s", "rgb"[channel], left,
+                     static_cast<double>(value), right, limit);
 }
 
 /// The channel with the largest value / bound, and whether all hold.
@@ -44,8 +46,8 @@ struct Worst {
   }
 };
 
-void check_contribution(const PointCase& at, std::uint32_t node, const TreeNode& cluster,
-                        const glm::vec3& bound, Tally& tally) {
+void check_contribution(const PointCase& at, std::uint32_t node, const glm::vec3& bound,
+                        Tally& tally) {
   Worst worst;
   for (int c = 0; c < 3; ++c) {
     const long double truth = at.truth.open(node)[c];
@@ -55,13 +57,13 @@ void check_contribution(const PointCase& at, std::uint32_t node, const TreeNode&
               truth, bound[c]);
   }
   tally.record(Property::bound_dominates_contribution, worst.holds, at.place, worst.ratio, [&] {
-    return describe(at, node, cluster, worst.channel, "true contribution", worst.value, "bound",
+    return describe(at, node, worst.channel, "true contribution", worst.value, "bound",
                     bound[worst.channel]);
   });
 }
 
-void check_error(const PointCase& at, std::uint32_t node, const TreeNode& cluster,
-                 const glm::dvec3& estimate, const glm::vec3& bound, Tally& tally) {
+void check_error(const PointCase& at, std::uint32_t node, const glm::dvec3& estimate,
+                 const glm::vec3& bound, Tally& tally) {
   Worst worst;
   for (int c = 0; c < 3; ++c) {
     const long double truth = at.truth.seen(node)[c];
@@ -74,17 +76,15 @@ void check_error(const PointCase& at, std::uint32_t node, const TreeNode& cluste
               error, bound[c]);
   }
   tally.record(Property::bound_dominates_error, worst.holds, at.place, worst.ratio, [&] {
-    return describe(at, node, cluster, worst.channel, "true error", worst.value, "bound",
+    return describe(at, node, worst.channel, "true error", worst.value, "bound",
                     bound[worst.channel]);
   });
 }
 
 /// Lower bound <= truth <= upper bound, if nothing is occluded.
-void check_order(const PointCase& at, std::uint32_t node, const LightTree& tree,
+void check_order(const PointCase& at, std::uint32_t node, const glm::vec3& low,
                  const glm::vec3& bound, Tally& tally) {
   Worst worst;
-  const TreeNode& cluster = tree.node(node);
-  const glm::vec3 low = contribution_lower_bound(tree, node, at.point);
   for (int c = 0; c < 3; ++c) {
     const long double truth = at.truth.open(node)[c];
     const long double margin = truth * truth_error;
@@ -93,24 +93,26 @@ void check_order(const PointCase& at, std::uint32_t node, const LightTree& tree,
     worst.add(c, holds, low[c], static_cast<float>(truth));
   }
   tally.record(Property::bounds_are_ordered, worst.holds, at.place, worst.ratio, [&] {
-    return describe(at, node, cluster, worst.channel, "lower bound", worst.value,
-                    "true contribution", static_cast<double>(at.truth.open(node)[worst.channel]));
+    return describe(at, node, worst.channel, "lower bound", worst.value, "true contribution",
+                    static_cast<double>(at.truth.open(node)[worst.channel]));
   });
 }
 
-/// a and b: the children's bounds.
-void check_shrinking(const PointCase& at, std::uint32_t node, const TreeNode& cluster,
-                     const glm::vec3& bound, const glm::vec3& a, const glm::vec3& b, Tally& tally) {
+void check_shrinking(const PointCase& at, std::uint32_t node, std::span<const glm::vec3> bounds,
+                     Tally& tally) {
   Worst worst;
+  const auto nodes = at.topology().children(node);
   for (int c = 0; c < 3; ++c) {
-    const double children = double(a[c]) + double(b[c]);
+    double children = 0;
+    for (const std::uint32_t child : nodes) children += bounds[child][c];
     // Each bound may exceed the real one by bound_excess and one subnormal.
-    const double allowed = double(bound[c]) * (1 + bound_excess) + 2 * 0x1p-149;
+    const double allowed =
+        double(bounds[node][c]) * (1 + bound_excess) + double(nodes.size()) * 0x1p-149;
     worst.add(c, children <= allowed, children, allowed);
   }
   tally.record(Property::bound_shrinks_on_refinement, worst.holds, at.place, worst.ratio, [&] {
-    return describe(at, node, cluster, worst.channel, "children's bounds", worst.value, "bound",
-                    bound[worst.channel]);
+    return describe(at, node, worst.channel, "children's bounds", worst.value, "bound",
+                    bounds[node][worst.channel]);
   });
 }
 
@@ -133,56 +135,85 @@ double largest_reflection(const ShadingPoint& point, int channel) {
   return diffuse + std::visit(largest, point.material().lobe);
 }
 
-/// Whether an infinite bound is excused: x in the box, or a supremum beyond the largest float, for
-/// which the nearest distance with all cosines 1 has to reach half of it.
-bool may_be_infinite(const PointCase& at, const LightTree& tree, std::uint32_t node, int channel) {
-  const TreeNode& cluster = tree.node(node);
-  if (cluster.is_mixed())
-    return may_be_infinite(at, tree, cluster.first_child, channel) ||
-           may_be_infinite(at, tree, cluster.first_child + 1, channel);
-  double falloff = 1;
-  if (cluster.kind() != LightKind::directional) {
-    const double nearest2 =
-        std::max(min_distance2(at.point.position(), cluster.box), tree.min_distance2());
-    if (nearest2 == 0) return true;
-    falloff = 1 / nearest2;
+/// Whether an infinite bound is excused: x in the box of the lights of one kind, or a supremum
+/// beyond the largest float, for which the nearest distance with all cosines 1 has to reach half of
+/// it.
+bool may_be_infinite(const PointCase& at, std::uint32_t node, int channel) {
+  const LightSet& lights = at.lights();
+  const double min_distance2 = double(lights.min_distance()) * lights.min_distance();
+  std::array<Box, light_kind_count> boxes;
+  std::array<double, light_kind_count> intensity{};
+  boxes.fill(Box::empty());
+  for (const std::uint32_t i : at.topology().all_lights(node)) {
+    const auto kind = std::size_t(lights[i].kind);
+    boxes[kind].extend(lights[i].position);
+    intensity[kind] += lights[i].intensity[channel];
   }
-  return cluster.intensity[channel] * largest_reflection(at.point, channel) * falloff >=
-         0.5 * std::numeric_limits<float>::max();
+  double most = 0;
+  for (std::size_t kind = 0; kind < light_kind_count; ++kind) {
+    if (intensity[kind] == 0) continue;
+    double nearest2 = 1;
+    if (LightKind(kind) != LightKind::directional)
+      nearest2 =
+          std::max(lightcuts::min_distance2(at.point.position(), boxes[kind]), min_distance2);
+    if (nearest2 == 0) return true;
+    most += intensity[kind] * largest_reflection(at.point, channel) / nearest2;
+  }
+  return most >= 0.5 * std::numeric_limits<float>::max();
 }
 
-void check_finite(const PointCase& at, std::uint32_t node, const LightTree& tree,
-                  const glm::vec3& bound, Tally& tally) {
-  bool holds = true;
-  int bad = 0;
-  for (int c = 0; c < 3; ++c) {
-    const bool fine = bound[c] >= 0 && (bound[c] < infinite || may_be_infinite(at, tree, node, c));
-    if (!fine && holds) bad = c;
-    holds = holds && fine;
-  }
-  tally.record(Property::results_are_finite, holds, at.place, no_ratio, [&] {
-    return describe(at, node, tree.node(node), bad, "true contribution", at.truth.open(node)[bad],
-                    "bound", bound[bad]);
-  });
+void check_finite(const PointCase& at, std::uint32_t node, const glm::vec3& bound, Tally& tally) {
+  const auto record = [&](Property property, auto&& is_fine) {
+    int bad = -1;
+    for (int c = 2; c >= 0; --c)
+      if (!is_fine(c)) bad = c;
+    tally.record(property, bad < 0, at.place, no_ratio, [&] {
+      return describe(at, node, bad, "true contribution", at.truth.open(node)[std::size_t(bad)],
+                      "bound", bound[bad]);
+    });
+  };
+  record(Property::results_are_finite, [&](int c) { return bound[c] >= 0; });
+  record(Property::bound_is_finite,
+         [&](int c) { return bound[c] != infinite || may_be_infinite(at, node, c); });
+}
+
+void check_estimate(const PointCase& at, std::uint32_t node, const glm::dvec3& e, Tally& tally) {
+  tally.record(
+      Property::results_are_finite, e.x >= 0 && e.y >= 0 && e.z >= 0, at.place, no_ratio, [&] {
+        const glm::vec3& x = at.point.position();
+        return fmt::format("point ({:.9g}, {:.9g}, {:.9g}), node {}: estimate ({}, {}, {})", x.x,
+                           x.y, x.z, node, e.x, e.y, e.z);
+      });
 }
 
 } // namespace
 
-void check_clusters(const Subject& subject, const PointCase& at, Tally& tally) {
-  const LightTree& tree = subject.tree();
-  std::vector<glm::vec3> bounds(tree.nodes().size());
-  for (std::uint32_t i = 0; i < bounds.size(); ++i) bounds[i] = subject.bound(i, at.point);
+glm::dvec3 seen_estimate(const Judged& judged, std::uint32_t node, const PointCase& at,
+                         const glm::vec3& bound) {
+  const std::uint32_t index = at.topology().representative(node);
+  if (index != TreeClaim::unsaid && at.visible[index] == 0) {
+    const Light& light = at.lights()[index];
+    const glm::vec3 from = viewed_from(light.kind, at.point.position());
+    if (dot_between(at.point.normal(), from, light.position) > 0) return glm::dvec3(0);
+  }
+  return judged.tree.estimate(node, at.point, bound);
+}
+
+void check_clusters(const Judged& judged, const PointCase& at, Tally& tally) {
+  if (!judged.has(Part::bounds)) return;
+  std::vector<glm::vec3> bounds(at.topology().size());
+  judged.tree.bounds(at.point, bounds);
   for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-    const TreeNode& cluster = tree.node(i);
-    const glm::vec3& bound = bounds[i];
-    const glm::dvec3 estimate = seen_estimate(subject, i, at.point, bound, at.visible);
-    check_contribution(at, i, cluster, bound, tally);
-    check_error(at, i, cluster, estimate, bound, tally);
-    check_order(at, i, tree, bound, tally);
-    check_finite(at, i, tree, bound, tally);
-    if (cluster.is_leaf()) continue;
-    const std::uint32_t child = cluster.first_child;
-    check_shrinking(at, i, cluster, bound, bounds[child], bounds[child + 1], tally);
+    check_contribution(at, i, bounds[i], tally);
+    check_finite(at, i, bounds[i], tally);
+    if (judged.has(Part::estimates)) {
+      const glm::dvec3 estimate = seen_estimate(judged, i, at, bounds[i]);
+      check_estimate(at, i, estimate, tally);
+      check_error(at, i, estimate, bounds[i], tally);
+    }
+    if (judged.has(Part::lower_bounds))
+      check_order(at, i, judged.tree.lower_bound(i, at.point), bounds[i], tally);
+    if (!at.topology().is_leaf(i)) check_shrinking(at, i, bounds, tally);
   }
 }
 

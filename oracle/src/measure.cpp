@@ -13,8 +13,9 @@
 #include <lightcuts/input_error.h>
 #include <lightcuts/oracle/clairvoyant.h>
 #include <lightcuts/oracle/image_error.h>
-#include <lightcuts/oracle/mutants.h>
+#include <lightcuts/oracle/library_subject.h>
 #include <lightcuts/oracle/random_pixels.h>
+#include <lightcuts/paper_rules.h>
 #include <lightcuts/tree_builder.h>
 
 namespace lightcuts::oracle {
@@ -88,25 +89,32 @@ struct SampledSizes {
   double clairvoyant = 0, actual = 0;
 };
 
-SampledSizes sample_sizes(const SceneView& view, const Subject& subject, const CutConfig& cut,
+SampledSizes sample_sizes(const SceneView& view, SubjectTree& subject, const CutConfig& cut,
                           std::uint64_t seed) {
-  const LightTree& tree = subject.tree();
-  const std::size_t lights = tree.lights().size();
+  const LightSet& scene_lights = view.scene().lights;
+  const std::size_t lights = scene_lights.size();
   const std::size_t points = std::clamp<std::size_t>(2'000'000 / lights, 16, 256);
-  const auto selector = subject.selector(cut);
+  const Topology topology = *read_topology(subject.claim(), lights).topology;
+  const Judged judged{subject, only(Part::bounds) | only(Part::estimates) | only(Part::cuts)};
   Truth truth;
   std::vector<char> visible(lights);
   SampledSizes sizes;
   for (std::size_t i = 0; i < points; ++i) {
     const VisiblePoint p = random_point(view, seed, i);
     for (std::uint32_t j = 0; j < lights; ++j) visible[j] = view.sees(p, j) ? 1 : 0;
-    truth.evaluate(tree, p.point, visible);
-    sizes.clairvoyant += double(
-        clairvoyant_cut_size(subject, p.point, visible, truth, cut.threshold, cut.black_level));
+    truth.evaluate(topology, scene_lights, p.point, visible);
+    const PointCase at{i, p.point, visible, truth};
+    sizes.clairvoyant += double(clairvoyant_cut_size(judged, at, cut.threshold, cut.black_level));
     const auto seen = [&](std::uint32_t j) { return visible[j] != 0; };
-    sizes.actual += double(selector->select(p.point, seen).clusters.size());
+    sizes.actual += double(subject.select(p.point, cut, seen).clusters.size());
   }
   return {sizes.clairvoyant / double(points), sizes.actual / double(points)};
+}
+
+/// The tree as that method uses it.
+std::unique_ptr<SubjectTree> tree_of(Method method, const LightTree& tree) {
+  if (method == Method::paper) return std::make_unique<RulesTree<PaperRules>>(tree);
+  return std::make_unique<RulesTree<LightcutsRules>>(tree);
 }
 
 Run summary(const Row& row, const Row& reference, double build_seconds) {
@@ -230,8 +238,7 @@ Measurement measure(const SceneView& view, const MeasureConfig& config) {
   for (const Row& row : rows) {
     Run run = summary(row, rows.front(), build_seconds);
     if (row.config.method != Method::reference) {
-      const auto subject =
-          row.config.method == Method::paper ? paper_subject(tree) : library_subject(tree);
+      const auto subject = tree_of(row.config.method, tree);
       const SampledSizes sizes = sample_sizes(view, *subject, row.config.cut, config.seed);
       run.optimal_cut_size = sizes.clairvoyant;
       run.cut_efficiency =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/oracle/mutants.h>
 
-#include <lightcuts/paper_rules.h>
+#include <lightcuts/oracle/rules_subject.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -30,30 +30,26 @@ struct IntensityOfRepresentative : LightcutsRules {
 };
 
 template <class Rules>
-std::unique_ptr<Subject> make(const char* name, const LightTree& tree) {
-  return std::make_unique<RulesSubject<Rules>>(name, tree);
+std::unique_ptr<Subject> with_rules(const char* name) {
+  return std::make_unique<RulesSubject<Rules>>(name);
 }
 
 constexpr Mutant catalogue[] = {
     {"heap-inverted", "refines the smallest bound first, and stops on it",
-     [](const LightTree& tree) { return make<HeapInverted>("heap-inverted", tree); }},
+     with_rules<HeapInverted>},
     {"intensity-of-representative",
      "the bound uses the representative's intensity, not the cluster's",
-     [](const LightTree& tree) {
-       return make<IntensityOfRepresentative>("intensity-of-representative", tree);
-     }},
+     with_rules<IntensityOfRepresentative>},
 };
 
 } // namespace
 
 std::span<const Mutant> mutants() { return catalogue; }
 
-std::unique_ptr<Subject> library_subject(const LightTree& tree) {
-  return make<LightcutsRules>("lightcuts", tree);
-}
-
-std::unique_ptr<Subject> paper_subject(const LightTree& tree) {
-  return make<PaperRules>("paper", tree);
+const Mutant* mutant_named(std::string_view name) {
+  for (const Mutant& mutant : catalogue)
+    if (name == mutant.name) return &mutant;
+  return nullptr;
 }
 
 } // namespace lightcuts::oracle

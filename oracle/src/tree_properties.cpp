@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,56 +12,60 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check_intensity(std::uint32_t i, const TreeNode& node, const Wide& sum, unsigned height,
-                     Tally& tally) {
+void check_intensity(std::uint32_t i, const glm::dvec3& intensity, const Wide& sum, unsigned height,
+                     std::uint64_t place, Tally& tally) {
   bool holds = true;
   double worst = 0;
   for (int c = 0; c < 3; ++c) {
     // Each level adds two numbers, rounding by 2^-53; `sum` rounds as well, but less.
     constexpr long double per_level = 0x1p-53L + std::numeric_limits<long double>::epsilon();
     const long double allowed = sum[c] * height * per_level;
-    const long double error = std::abs(node.intensity[c] - sum[c]);
+    const long double error = std::abs(intensity[c] - sum[c]);
     holds = holds && error <= allowed;
     worst = std::max(worst, ratio_of(error, allowed));
   }
-  tally.record(Property::tree_conserves_intensity, holds, i, worst, [&] {
+  tally.record(Property::tree_conserves_intensity, holds, place, worst, [&] {
     return fmt::format("node {}: intensity ({:.9g}, {:.9g}, {:.9g}), its lights' total "
                        "({:.9g}, {:.9g}, {:.9g})",
-                       i, node.intensity.x, node.intensity.y, node.intensity.z, sum[0], sum[1],
-                       sum[2]);
+                       i, intensity.x, intensity.y, intensity.z, sum[0], sum[1], sum[2]);
   });
 }
 
 } // namespace
 
-void check_tree(const LightTree& tree, Tally& tally) {
-  const auto nodes = tree.nodes();
-  std::vector<Wide> sums(nodes.size());
-  std::vector<unsigned> heights(nodes.size(), 0);
-  std::vector<bool> taken(tree.lights().size(), false);
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    const TreeNode& node = nodes[i];
-    const auto index = static_cast<std::uint32_t>(i);
-    bool belongs = node.representative < tree.lights().size();
-    if (node.is_leaf()) {
-      belongs = belongs && !taken[node.representative];
-      if (belongs) {
-        taken[node.representative] = true;
-        for (int c = 0; c < 3; ++c) sums[i][c] = tree.lights()[node.representative].intensity[c];
-      }
-    } else {
-      const std::uint32_t a = node.first_child;
-      belongs = belongs && (node.representative == nodes[a].representative ||
-                            node.representative == nodes[a + 1].representative);
-      for (int c = 0; c < 3; ++c) sums[i][c] = sums[a][c] + sums[a + 1][c];
-      heights[i] = 1 + std::max(heights[a], heights[a + 1]);
+std::optional<Topology> check_tree(TreeClaim claim, const LightSet& lights, std::uint64_t place,
+                                   Tally& tally) {
+  TopologyReading reading = read_topology(std::move(claim), lights.size());
+  tally.record(Property::tree_partitions_lights, reading.defect.empty(), place, no_ratio,
+               [&] { return reading.defect; });
+  if (!reading.topology) return std::nullopt;
+  const Topology& tree = *reading.topology;
+  std::vector<Wide> sums(tree.size());
+  std::vector<unsigned> heights(tree.size(), 0);
+  const auto nodes = tree.parents_first();
+  for (auto i = nodes.rbegin(); i != nodes.rend(); ++i) {
+    const std::uint32_t representative = tree.representative(*i);
+    bool belongs = false;
+    for (const std::uint32_t light : tree.lights(*i)) {
+      belongs = belongs || representative == light;
+      for (int c = 0; c < 3; ++c) sums[*i][c] += lights[light].intensity[c];
     }
-    check_intensity(index, node, sums[i], heights[i], tally);
-    tally.record(Property::representative_belongs, belongs, i, no_ratio, [&] {
-      return fmt::format("node {}: representative {} is not of this cluster", i,
-                         node.representative);
-    });
+    // A leaf of many lights adds many numbers.
+    unsigned height = unsigned(tree.lights(*i).size());
+    for (const std::uint32_t child : tree.children(*i)) {
+      belongs = belongs || representative == tree.representative(child);
+      for (int c = 0; c < 3; ++c) sums[*i][c] += sums[child][c];
+      height = std::max(height, heights[child]) + 1;
+    }
+    heights[*i] = height;
+    if (tree.intensity(*i))
+      check_intensity(*i, *tree.intensity(*i), sums[*i], height, place, tally);
+    if (representative != TreeClaim::unsaid)
+      tally.record(Property::representative_belongs, belongs, place, no_ratio, [&] {
+        return fmt::format("node {}: representative {} is not of this cluster", *i, representative);
+      });
   }
+  return std::move(reading.topology);
 }
 
 } // namespace lightcuts::oracle

@@ -14,43 +14,36 @@ Exact exact_contribution(const Light& light, const ShadingPoint& point, float mi
   return radiometry::contribution<Exact>(light, point, min_distance)[std::size_t(channel)];
 }
 
-void Truth::evaluate(const LightTree& tree, const ShadingPoint& point,
+void Truth::evaluate(const Topology& topology, const LightSet& lights, const ShadingPoint& point,
                      std::span<const char> visible) {
-  tree_ = &tree;
+  topology_ = &topology;
+  lights_ = &lights;
   point_ = &point;
   visible_ = visible;
-  const auto nodes = tree.nodes();
-  open_.resize(nodes.size());
-  seen_.resize(nodes.size());
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    const TreeNode& node = nodes[i];
-    if (node.is_leaf()) {
-      open_[i] =
-          contribution(tree.lights()[node.representative], point, tree.lights().min_distance());
-      seen_[i] = visible[node.representative] != 0 ? open_[i] : Wide{};
-      continue;
+  open_.assign(topology.size(), Wide{});
+  seen_.assign(topology.size(), Wide{});
+  const auto add = [](Wide& sum, const Wide& term) {
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += term[c];
+  };
+  const auto nodes = topology.parents_first();
+  for (auto i = nodes.rbegin(); i != nodes.rend(); ++i) {
+    for (const std::uint32_t light : topology.lights(*i)) {
+      const Wide one = contribution(lights[light], point, lights.min_distance());
+      add(open_[*i], one);
+      if (visible[light] != 0) add(seen_[*i], one);
     }
-    for (int c = 0; c < 3; ++c) {
-      open_[i][c] = open_[node.first_child][c] + open_[node.first_child + 1][c];
-      seen_[i][c] = seen_[node.first_child][c] + seen_[node.first_child + 1][c];
+    for (const std::uint32_t child : topology.children(*i)) {
+      add(open_[*i], open_[child]);
+      add(seen_[*i], seen_[child]);
     }
   }
 }
 
 Exact Truth::exact(std::uint32_t node, int channel, bool only_visible) const {
   Exact sum = 0;
-  std::vector<std::uint32_t> open{node};
-  while (!open.empty()) {
-    const TreeNode& n = tree_->node(open.back());
-    open.pop_back();
-    if (!n.is_leaf()) {
-      open.push_back(n.first_child);
-      open.push_back(n.first_child + 1);
-    } else if (!only_visible || visible_[n.representative] != 0) {
-      sum += exact_contribution(tree_->lights()[n.representative], *point_,
-                                tree_->lights().min_distance(), channel);
-    }
-  }
+  for (const std::uint32_t light : topology_->all_lights(node))
+    if (!only_visible || visible_[light] != 0)
+      sum += exact_contribution((*lights_)[light], *point_, lights_->min_distance(), channel);
   return sum;
 }
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/dice.h"
+#include "../support/generators.h"
 
 namespace lightcuts {
 namespace {
@@ -21,7 +21,7 @@ void expect_angle(const Angle& angle, double radians) {
 }
 
 TEST(Angle, AddsSubtractsAndHalvesAsItsRadiansDo) {
-  gen::Dice dice{rc::Random(3)};
+  gen::Dice dice(3);
   for (int i = 0; i < 20000; ++i) {
     const double a = std::min(std::abs(double(dice.log_uniform(-12, 0.497))), std::numbers::pi);
     const double b = dice.uniform(0, std::numbers::pi);

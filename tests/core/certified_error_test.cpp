@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "../support/dice.h"
+#include "../support/generators.h"
 #include "../support/precise.h"
 
 namespace lightcuts {

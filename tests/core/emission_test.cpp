@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "../support/dice.h"
 #include "../support/generators.h"
 #include "../support/precise.h"
 
@@ -34,7 +33,7 @@ RC_GTEST_PROP(Emission, KeepsToTheStatedErrorAndItsZeroIsExact, ()) {
 
 /// A spot whose outer rim passes within a few ulps of x.
 TEST(Emission, OfASpotIsExactWhereItsRimPassesThroughThePoint) {
-  gen::Dice dice{rc::Random(11)};
+  gen::Dice dice(11);
   int dark = 0, lit = 0;
   for (int i = 0; i < 4000; ++i) {
     const glm::vec3 x = dice.in_cube();

@@ -9,7 +9,6 @@
 #include <rapidcheck/gtest.h>
 
 #include "../support/box_reference.h"
-#include "../support/dice.h"
 #include "../support/generators.h"
 #include "../support/precise.h"
 #include <lightcuts/tree_builder.h>
@@ -181,7 +180,7 @@ RC_GTEST_PROP(ContributionBound, ExceedsTheRealExpressionByNoMoreThanStated, ())
 // a float between the two.
 TEST(ContributionBound, DominatesInTheSharpestLobe) {
   const Material mirror{glm::vec3(0), Phong{glm::vec3(1), Phong::max_exponent}};
-  gen::Dice dice{rc::Random(1)};
+  gen::Dice dice(1);
   for (int i = 0; i < 20000; ++i) {
     const glm::vec3 n = dice.unit_vector();
     const ShadingPoint point({0, 0, 0}, n, n, mirror);
@@ -193,7 +192,7 @@ TEST(ContributionBound, DominatesInTheSharpestLobe) {
 
 // The lobe is so narrow that the rounding of the stored mirror direction is a thousandth of it.
 TEST(ContributionBound, DominatesWhereTheMirrorDirectionsRoundingShows) {
-  gen::Dice dice{rc::Random(2)};
+  gen::Dice dice(2);
   for (int i = 0; i < 4000; ++i) {
     const glm::vec3 n = dice.unit_vector();
     const Lobe lobes[] = {Ward{glm::vec3(1), Ward::min_alpha},

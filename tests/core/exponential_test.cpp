@@ -5,14 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/dice.h"
+#include "../support/generators.h"
 #include "../support/precise.h"
 
 namespace lightcuts {
 namespace {
 
 TEST(ExpOfMinus, KeepsToTheStatedError) {
-  gen::Dice dice{rc::Random(5)};
+  gen::Dice dice(5);
   for (int i = 0; i < 5000; ++i) {
     const double t = i % 2 == 0 ? dice.uniform(0, 700) : std::abs(double(dice.log_uniform(-30, 2)));
     const precise::Quad exact = exp(-precise::Quad(t));

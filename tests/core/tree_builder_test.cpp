@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "../support/dice.h"
 #include "../support/generators.h"
 #include "../support/naive_builder.h"
 
@@ -151,7 +150,7 @@ TEST(Build, OfNoLightsIsEmpty) { EXPECT_TRUE(build({}).empty()); }
 
 TEST(Build, OfAHundredThousandLightsIsQuick) {
   LightSet lights;
-  gen::Dice dice{rc::Random(7)};
+  gen::Dice dice(7);
   for (int i = 0; i < 100000; ++i) lights.add_omni(dice.in_cube(), glm::vec3(1));
   const auto start = std::chrono::steady_clock::now();
   const LightTree tree = build(lights);

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "../support/dice.h"
 #include "../support/generators.h"
 #include "judged_point.h"
 
@@ -47,7 +46,7 @@ RC_GTEST_PROP(Truth, InLongDoubleIsWithinItsErrorOfTheExactOne, ()) {
 
 /// The BRDFs by other formulas than the definitions': with h itself, its angles and e-functions.
 TEST(Truth, EqualsTheBrdfsWrittenWithTheHalfVector) {
-  gen::Dice dice{rc::Random(9)};
+  gen::Dice dice(9);
   int compared = 0;
   for (int i = 0; i < 2000; ++i) {
     const glm::dvec3 n(0, 0, 1);

@@ -5,7 +5,6 @@
 #include <set>
 #include <string>
 
-#include "dice.h"
 #include "generators.h"
 #include "precise.h"
 #include <lightcuts/cut_selector.h>

@@ -8,29 +8,10 @@
 #include <rapidcheck.h>
 
 #include <lightcuts/box.h>
-#include <lightcuts/light_set.h>
-#include <lightcuts/shading_point.h>
+#include <lightcuts/oracle/stress_scene.h>
 
-/// What this field finds hard: exact ties, clumps, lights on the surface and at the shading point,
-/// scales that differ by 10^30, the ends of the float range. Shrinks towards few lights, round
-/// numbers and the origin.
+/// Scenes of stress_scene.h for rapidcheck, which shrinks them by simpler.h.
 namespace lightcuts::gen {
-
-/// What a ShadingPoint is made of.
-struct View {
-  glm::vec3 position{0}, normal{0, 0, 1}, to_viewer{0, 0, 1};
-  Material material{glm::vec3(1), {}};
-
-  [[nodiscard]] ShadingPoint point() const { return {position, normal, to_viewer, material}; }
-};
-
-struct Scene {
-  std::vector<Light> lights;
-  View view;
-  float min_distance = 0; ///< 0: no clamp
-
-  [[nodiscard]] LightSet light_set() const;
-};
 
 /// A box, a shading point's position and a direction that need not be unit.
 struct BoxView {
@@ -38,8 +19,6 @@ struct BoxView {
   glm::vec3 x, n;
 };
 
-std::ostream& operator<<(std::ostream& out, const View& view);
-std::ostream& operator<<(std::ostream& out, const Scene& scene);
 std::ostream& operator<<(std::ostream& out, const BoxView& view);
 
 /// Any finite float; often 0, a small integer, subnormal or at an end of the range.
@@ -54,6 +33,15 @@ rc::Gen<Scene> plain_scene(int max_lights = 24);
 /// The same of one kind of light and one kind of lobe (its index in Lobe).
 rc::Gen<Scene> scene_of(LightKind kind, std::size_t lobe, bool clamped, int max_lights = 24);
 rc::Gen<BoxView> box_view();
+
+/// What `make` makes of dice, not shrunk: for operands of a few numbers.
+template <class T>
+rc::Gen<T> from_dice(T (*make)(Dice&)) {
+  return rc::Gen<T>([make](const rc::Random& random, int) {
+    Dice dice(rc::Random(random).next());
+    return rc::shrinkable::just(make(dice));
+  });
+}
 
 /// The value that a generator makes of a seed: for loops outside rapidcheck.
 template <class T>

@@ -27,6 +27,8 @@ struct CutConfig {
   /// Nothing comes between the point and any light: `visible` is not called, and the certified
   /// error, which has lower bounds then, is smaller; default false
   bool unoccluded = false;
+
+  bool operator==(const CutConfig&) const = default;
 };
 
 /// Throws InputError, naming the field: threshold and black_level are >= 0, max_size >= 1.
@@ -82,6 +84,12 @@ struct BasicLightcutsRules {
     const glm::dvec3 e = cluster_estimate<Features>(tree, node, point, lobe);
     return tree.node(node).is_leaf() ? e : glm::min(e, glm::dvec3(bound));
   }
+  /// Whether a cluster with this bound is good enough beside the total.
+  static bool obeys(const glm::vec3& bound, const glm::dvec3& total, const CutConfig& config) {
+    for (int c = 0; c < 3; ++c)
+      if (bound[c] > config.threshold * total[c] && bound[c] > config.black_level) return false;
+    return true;
+  }
   /// Whether a cluster with the first key is refined before one with the second.
   static bool refined_before(double key, double other) { return key > other; }
   /// Whether to stop when the next cluster in turn obeys the threshold.
@@ -106,15 +114,16 @@ using LightcutsRules = BasicLightcutsRules<AnyFeatures>;
 /// - no node and no light's visibility is evaluated twice for one point;
 /// - the test is made on the total summed anew over the cut, so that nothing drifts;
 /// - bounds are compared relative to the total as it was when the size last doubled; between equal
-///   ones the older cluster goes first.
+///   ones the older cluster goes first. The threshold has no part in this order (a black level
+///   has): a smaller one refines the cut of a larger one.
 /// One selector per thread; no allocation once the largest cut has been seen.
 template <class Rules>
 class BasicCutSelector {
 public:
   /// The tree must outlive the selector. Throws InputError, naming the field, where the
   /// configuration is NaN or out of its domain.
-  explicit BasicCutSelector(const LightTree& tree, const CutConfig& config = {})
-      : tree_(&tree), config_(config) {
+  explicit BasicCutSelector(const LightTree& tree, const CutConfig& config = {}, Rules rules = {})
+      : tree_(&tree), config_(config), rules_(std::move(rules)) {
     validate(config);
   }
 
@@ -142,6 +151,7 @@ private:
     queue_.clear();
     total_ = glm::dvec3(0);
     shadow_rays_ = 0;
+    offender_ = 0;
   }
 
   template <class OneLobe, class Visible>
@@ -159,10 +169,10 @@ private:
   [[gnu::flatten]] CutCluster evaluated(std::uint32_t node, bool is_visible,
                                         const ShadingPoint& point, const OneLobe& lobe) const {
     const bool leaf = tree_->node(node).is_leaf();
-    const glm::vec3 bound = leaf ? glm::vec3(0) : Rules::bound(*tree_, node, point, lobe);
+    const glm::vec3 bound = leaf ? glm::vec3(0) : rules_.bound(*tree_, node, point, lobe);
     glm::dvec3 estimate(0);
     if (is_visible && (leaf || bound != glm::vec3(0)))
-      estimate = Rules::estimate(*tree_, node, point, lobe, bound);
+      estimate = rules_.estimate(*tree_, node, point, lobe, bound);
     return {node, is_visible, estimate, bound};
   }
 
@@ -182,11 +192,12 @@ private:
     return visible(index);
   }
 
+  /// Refines in one order whatever the threshold, which only tells where to end: so a smaller one
+  /// gives a refinement of the same cut.
   bool done() {
-    if (!queue_.empty() && !obeys(clusters_[queue_.front().second])) return false;
-    if (Rules::stops([this] { return all_obey(); })) return true;
-    rekey(); // the order was by an older total
-    return queue_.empty();
+    if (queue_.empty()) return true;
+    if (!obeys(clusters_[queue_.front().second]) || !obeys(clusters_[offender_])) return false;
+    return rules_.stops([this] { return all_obey(); });
   }
 
   /// Replaces the first cluster of the queue by its children; the one that has its representative
@@ -244,18 +255,16 @@ private:
   }
 
   [[nodiscard]] bool obeys(const CutCluster& cluster) const {
-    for (int c = 0; c < 3; ++c)
-      if (cluster.bound[c] > config_.threshold * total_[c] &&
-          cluster.bound[c] > config_.black_level)
-        return false;
-    return true;
+    return rules_.obeys(cluster.bound, total_, config_);
   }
 
-  /// On the total summed anew.
+  /// On the total summed anew. Keeps in mind who does not.
   bool all_obey() {
     total_ = summed();
-    return std::all_of(clusters_.begin(), clusters_.end(),
-                       [this](const CutCluster& c) { return obeys(c); });
+    for (offender_ = 0; offender_ < clusters_.size(); ++offender_)
+      if (!obeys(clusters_[offender_])) return false;
+    offender_ = 0;
+    return true;
   }
 
   /// Estimate and truth lie between lower and upper bound; the lower one is 0 where light may be
@@ -295,12 +304,14 @@ private:
 
   const LightTree* tree_;
   CutConfig config_;
+  [[no_unique_address]] Rules rules_;
   std::vector<CutCluster> clusters_;
   std::vector<Keyed> queue_; ///< heap of the clusters with a bound above 0
   glm::dvec3 total_{0};
   glm::dvec3 weight_{1};
   std::size_t keyed_at_size_ = 1;
   std::uint32_t shadow_rays_ = 0;
+  std::size_t offender_ = 0; ///< a cluster that may not obey; while it does not, all need no look
 };
 
 /// For any scene; with_features() finds a narrower BasicCutSelector<BasicLightcutsRules<Features>>,

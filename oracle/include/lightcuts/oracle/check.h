@@ -12,7 +12,8 @@
 namespace lightcuts::oracle {
 
 struct CheckConfig {
-  std::uint64_t seed = 1; ///< of the choice of pixels and rays
+  std::uint64_t seed = 1;      ///< of the choice of pixels and rays
+  std::uint64_t tree_seed = 1; ///< of the subject's tree
   CutConfig cut;
   std::uint64_t pairs = 10'000'000;     ///< (node, shading point) pairs to check at least
   unsigned threads = 0;                 ///< 0: one per core

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include <lightcuts/oracle/subject.h>
 
@@ -12,16 +13,13 @@ namespace lightcuts::oracle {
 struct Mutant {
   const char* name;
   const char* what_is_wrong;
-  std::unique_ptr<Subject> (*make)(const LightTree&); ///< the tree must outlive the subject
+  std::unique_ptr<Subject> (*make)(const char* name);
+
+  [[nodiscard]] std::unique_ptr<Subject> subject() const { return make(name); }
 };
 
 /// All mutants; the oracle has to convict each.
 [[nodiscard]] std::span<const Mutant> mutants();
-
-/// The library itself, as a subject.
-[[nodiscard]] std::unique_ptr<Subject> library_subject(const LightTree& tree);
-
-/// Method::paper, as a subject.
-[[nodiscard]] std::unique_ptr<Subject> paper_subject(const LightTree& tree);
+[[nodiscard]] const Mutant* mutant_named(std::string_view name);
 
 } // namespace lightcuts::oracle

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,16 +18,33 @@ struct PointCase {
   const ShadingPoint& point;
   std::span<const char> visible; ///< per light, whether it is seen
   const Truth& truth;            ///< evaluated for this point and visibility
+
+  [[nodiscard]] const Topology& topology() const { return truth.topology(); }
+  [[nodiscard]] const LightSet& lights() const { return truth.lights(); }
 };
 
+/// A subject's tree, and which parts of it can be judged.
+struct Judged {
+  SubjectTree& tree;
+  Parts parts;
+
+  [[nodiscard]] bool has(Part part) const { return oracle::has(parts, part); }
+};
+
+/// The subject's estimate of a cluster, occlusion included; a representative below the horizon
+/// counts as seen, and so does one that the subject does not name.
+[[nodiscard]] glm::dvec3 seen_estimate(const Judged& judged, std::uint32_t node,
+                                       const PointCase& at, const glm::vec3& bound);
+
 /// Checks every cluster of the subject's tree at the point: bound-dominates-contribution,
-/// bound-dominates-error, bound-shrinks-on-refinement, results-are-finite.
-void check_clusters(const Subject& subject, const PointCase& at, Tally& tally);
+/// bound-dominates-error, bounds-are-ordered, bound-shrinks-on-refinement, bound-is-finite,
+/// results-are-finite, as far as the parts go.
+void check_clusters(const Judged& judged, const PointCase& at, Tally& tally);
 
 /// Checks one cut: cut-partitions-lights, cut-obeys-threshold, certified-error-holds,
 /// total-does-not-drift, results-are-finite; with a threshold of 0, no black level and a size
 /// for all lights, zero-threshold-is-exact too.
-void check_cut(const Subject& subject, const CutConfig& config, const Cut& cut, const PointCase& at,
+void check_cut(const Judged& judged, const CutConfig& config, const Cut& cut, const PointCase& at,
                Tally& tally);
 
 /// Checks the material at the point with light from the direction of `light`, if that is above the
@@ -37,7 +55,9 @@ void check_reciprocity(const PointCase& at, const Light& light, Tally& tally);
 /// not matter.
 void check_energy(const Lobe& lobe, std::uint64_t place, Tally& tally);
 
-/// Checks the tree itself: tree-conserves-intensity, representative-belongs.
-void check_tree(const LightTree& tree, Tally& tally);
+/// Checks the tree itself: tree-partitions-lights, tree-conserves-intensity,
+/// representative-belongs. Nothing where it is no tree.
+[[nodiscard]] std::optional<Topology> check_tree(TreeClaim claim, const LightSet& lights,
+                                                 std::uint64_t place, Tally& tally);
 
 } // namespace lightcuts::oracle

@@ -4,38 +4,77 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <span>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace lightcuts::oracle {
 
 /// What the oracle checks, in the order of reports.
 enum class Property : std::uint8_t {
+  // the tree
+  tree_partitions_lights,
+  tree_conserves_intensity,
+  representative_belongs,
+  tree_equals_naive,
+  // bounds
   bound_dominates_contribution,
   bound_dominates_error,
   bounds_are_ordered,
   bound_shrinks_on_refinement,
+  bound_is_finite,
+  // cuts
   cut_partitions_lights,
   cut_obeys_threshold,
   certified_error_holds,
   zero_threshold_is_exact,
   total_does_not_drift,
-  tree_conserves_intensity,
-  representative_belongs,
+  tighter_threshold_refines,
+  visibility_only_darkens,
+  refinement_order_is_strict,
+  // all of them
   results_are_finite,
+  threads_agree,
+  // sampling
+  probabilities_sum_to_one,
+  contributing_lights_are_drawn,
+  draws_state_their_probability,
+  draws_follow_probabilities,
+  draws_are_independent,
+  stochastic_is_unbiased,
+  // what must not matter
+  intensity_scales_exactly,
+  length_scales_exactly,
+  rotation_is_immaterial,
+  translation_is_immaterial,
+  light_order_is_immaterial,
+  split_light_is_immaterial,
+  black_light_is_immaterial,
+  // shading and visibility
   brdf_is_reciprocal,
   brdf_conserves_energy,
   occlusion_equals_brute_force,
+  pixels_equal_points,
+  // the subject itself
+  subject_answers,
 };
-inline constexpr std::size_t property_count = 15;
+inline constexpr std::size_t property_count = std::size_t(Property::subject_answers) + 1;
+
+/// What it means that a property does not hold.
+enum class Severity : std::uint8_t {
+  violation, ///< a wrong result
+  waste      ///< a right one that costs more than it has to
+};
 
 struct PropertyInfo {
   const char* name;
   const char* statement; ///< one sentence
   const char* formula;   ///< what is computed; its left side over its right is the ratio
+  Severity severity = Severity::violation;
 };
 
 [[nodiscard]] const PropertyInfo& info(Property property);
+[[nodiscard]] std::optional<Property> property_named(std::string_view name);
 
 /// Counts of one property.
 struct PropertyCount {
@@ -71,9 +110,13 @@ public:
   [[nodiscard]] const PropertyCount& operator[](Property p) const {
     return counts_[std::size_t(p)];
   }
-  [[nodiscard]] std::uint64_t violations() const;
+  /// Sums over the properties of that severity.
+  [[nodiscard]] std::uint64_t violations() const { return sum(Severity::violation); }
+  [[nodiscard]] std::uint64_t wasteful() const { return sum(Severity::waste); }
 
 private:
+  [[nodiscard]] std::uint64_t sum(Severity severity) const;
+
   std::array<PropertyCount, property_count> counts_;
 };
 

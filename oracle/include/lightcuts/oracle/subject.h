@@ -5,92 +5,102 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
-#include <utility>
-#include <variant>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/cut_selector.h>
-#include <lightcuts/light_tree.h>
+#include <lightcuts/light_set.h>
+#include <lightcuts/oracle/topology.h>
+#include <lightcuts/shading_point.h>
+
+namespace lightcuts {
+class SceneView;
+struct VisiblePoint;
+struct RenderConfig;
+struct Rendering;
+class LightTree;
+} // namespace lightcuts
 
 namespace lightcuts::oracle {
 
-/// Picks cuts for one shading point after another; see BasicCutSelector.
-class Selector {
-public:
-  virtual ~Selector() = default;
-  /// Valid until the next call.
-  virtual Cut select(const ShadingPoint& point,
-                     const std::function<bool(std::uint32_t)>& visible) = 0;
+/// What of an implementation can be judged; one bit each.
+enum class Part : unsigned {
+  bounds = 1,            ///< SubjectTree::bound()
+  lower_bounds = 2,      ///< SubjectTree::lower_bound()
+  estimates = 4,         ///< SubjectTree::estimate()
+  cuts = 8,              ///< SubjectTree::select()
+  sampling = 16,         ///< SubjectTree::sample() and probability()
+  refinement_order = 32, ///< Subject::refined_before()
+  occlusion = 64,        ///< Subject::sees()
+  pictures = 128         ///< Subject::render()
+};
+inline constexpr int part_count = 8;
+using Parts = unsigned;
+[[nodiscard]] constexpr Parts only(Part part) { return unsigned(part); }
+[[nodiscard]] constexpr bool has(Parts parts, Part part) { return (parts & only(part)) != 0; }
+[[nodiscard]] const char* name_of(Part part);
+
+/// A light drawn from a cluster.
+struct DrawnLight {
+  std::uint32_t light = 0;
+  double probability = 0; ///< with which it is drawn; 0: none was drawn, as none contributes
 };
 
-/// What the oracle judges: the library, or a broken variant of it.
+/// Thrown by a subject that cannot answer: it crashed, hung, or said what cannot be read.
+class SubjectFailure : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A light tree that a subject built, for one thread. Functions outside the subject's parts throw
+/// std::logic_error; any may throw SubjectFailure.
+class SubjectTree {
+public:
+  virtual ~SubjectTree() = default;
+  /// The same tree, to be used by another thread.
+  [[nodiscard]] virtual std::unique_ptr<SubjectTree> for_another_thread() const = 0;
+  /// What it says the tree is.
+  [[nodiscard]] virtual TreeClaim claim() const = 0;
+
+  /// What it takes for an upper bound of the cluster's unoccluded contribution, per channel.
+  virtual glm::vec3 bound(std::uint32_t node, const ShadingPoint& point);
+  /// The same of all nodes; `out` has room for them.
+  virtual void bounds(const ShadingPoint& point, std::span<glm::vec3> out);
+  /// A lower bound of the same, where nothing occludes.
+  virtual glm::vec3 lower_bound(std::uint32_t node, const ShadingPoint& point);
+  /// What it takes the cluster to contribute if its representative is seen, given its bound.
+  virtual glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
+                              const glm::vec3& bound);
+  /// A cut; valid until the next call. visible(i) tells whether light i is seen.
+  virtual Cut select(const ShadingPoint& point, const CutConfig& config,
+                     const std::function<bool(std::uint32_t)>& visible);
+  /// Draws one of the cluster's lights by a random number u in [0, 1).
+  virtual DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u);
+  /// The probability with which sample() draws the light.
+  virtual double probability(std::uint32_t node, const ShadingPoint& point, std::uint32_t light);
+  /// The library's own tree underneath, or nothing for a foreign one.
+  [[nodiscard]] virtual const LightTree* library_tree() const { return nullptr; }
+};
+
+/// What the oracle judges: the library, a broken variant of it, or a foreign implementation.
+/// Functions may be called from many threads.
 class Subject {
 public:
   virtual ~Subject() = default;
   [[nodiscard]] virtual const std::string& name() const = 0;
-  [[nodiscard]] virtual const LightTree& tree() const = 0;
-  /// What the subject takes for an upper bound of the cluster's contribution, per channel.
-  [[nodiscard]] virtual glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) const = 0;
-  /// What it takes the cluster to contribute if its representative is seen, given its bound.
-  [[nodiscard]] virtual glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
-                                            const glm::vec3& bound) const = 0;
-  /// A selector for one thread.
-  [[nodiscard]] virtual std::unique_ptr<Selector> selector(const CutConfig& config) const = 0;
-};
-
-/// The subject's estimate of a cluster, occlusion included. visible: per light, whether it is seen;
-/// a representative below the horizon counts as seen.
-[[nodiscard]] inline glm::dvec3 seen_estimate(const Subject& subject, std::uint32_t node,
-                                              const ShadingPoint& point, const glm::vec3& bound,
-                                              std::span<const char> visible) {
-  const LightTree& tree = subject.tree();
-  const std::uint32_t index = tree.node(node).representative;
-  const Light& light = tree.lights()[index];
-  const bool seen =
-      visible[index] != 0 ||
-      dot_between(point.normal(), viewed_from(light.kind, point.position()), light.position) <= 0;
-  return seen ? subject.estimate(node, point, bound) : glm::dvec3(0);
-}
-
-/// The library with the given rules: LightcutsRules, or a mutant's.
-template <class Rules>
-class RulesSubject : public Subject {
-public:
-  /// The tree must outlive the subject.
-  RulesSubject(std::string name, const LightTree& tree) : name_(std::move(name)), tree_(&tree) {}
-
-  [[nodiscard]] const std::string& name() const override { return name_; }
-  [[nodiscard]] const LightTree& tree() const override { return *tree_; }
-  [[nodiscard]] glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) const override {
-    return std::visit([&](const auto& lobe) { return Rules::bound(*tree_, node, point, lobe); },
-                      point.material().lobe);
-  }
-  [[nodiscard]] glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
-                                    const glm::vec3& bound) const override {
-    return std::visit(
-        [&](const auto& lobe) { return Rules::estimate(*tree_, node, point, lobe, bound); },
-        point.material().lobe);
-  }
-  [[nodiscard]] std::unique_ptr<Selector> selector(const CutConfig& config) const override {
-    return std::make_unique<RulesSelector>(*tree_, config);
-  }
-
-private:
-  class RulesSelector : public Selector {
-  public:
-    RulesSelector(const LightTree& tree, const CutConfig& config) : select_(tree, config) {}
-    Cut select(const ShadingPoint& point,
-               const std::function<bool(std::uint32_t)>& visible) override {
-      return select_(point, visible);
-    }
-
-  private:
-    BasicCutSelector<Rules> select_;
-  };
-
-  std::string name_;
-  const LightTree* tree_;
+  [[nodiscard]] virtual Parts parts() const = 0;
+  /// Builds its tree; seed: of the random choices in that.
+  [[nodiscard]] virtual std::unique_ptr<SubjectTree> build(const LightSet& lights,
+                                                           std::uint64_t seed) const = 0;
+  /// Whether a cluster with the first relative bound is refined before one with the second.
+  [[nodiscard]] virtual bool refined_before(double bound, double other) const;
+  /// Whether a light is seen from there.
+  [[nodiscard]] virtual bool sees(const SceneView& view, const VisiblePoint& from,
+                                  std::uint32_t light) const;
+  /// A picture of the scene; a pixel is what select() makes of its point.
+  [[nodiscard]] virtual Rendering render(const SceneView& view, const LightTree& tree,
+                                         const RenderConfig& config) const;
 };
 
 } // namespace lightcuts::oracle

@@ -9,7 +9,8 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glm/vec3.hpp>
-#include <lightcuts/light_tree.h>
+#include <lightcuts/light_set.h>
+#include <lightcuts/oracle/topology.h>
 #include <lightcuts/shading_point.h>
 
 namespace lightcuts::oracle {
@@ -39,12 +40,16 @@ inline constexpr long double truth_error = 0x1p23L * std::numeric_limits<long do
 class Truth {
 public:
   /// visible: per light, whether it is seen from the point. References must outlive the next call.
-  void evaluate(const LightTree& tree, const ShadingPoint& point, std::span<const char> visible);
+  void evaluate(const Topology& topology, const LightSet& lights, const ShadingPoint& point,
+                std::span<const char> visible);
 
   /// Sum over the cluster's lights, as if nothing occluded any of them.
   [[nodiscard]] const Wide& open(std::uint32_t node) const { return open_[node]; }
   /// Sum over the cluster's visible lights.
   [[nodiscard]] const Wide& seen(std::uint32_t node) const { return seen_[node]; }
+
+  [[nodiscard]] const Topology& topology() const { return *topology_; }
+  [[nodiscard]] const LightSet& lights() const { return *lights_; }
 
   [[nodiscard]] Exact exact_open(std::uint32_t node, int channel) const {
     return exact(node, channel, false);
@@ -56,7 +61,8 @@ public:
 private:
   [[nodiscard]] Exact exact(std::uint32_t node, int channel, bool only_visible) const;
 
-  const LightTree* tree_ = nullptr;
+  const Topology* topology_ = nullptr;
+  const LightSet* lights_ = nullptr;
   const ShadingPoint* point_ = nullptr;
   std::span<const char> visible_;
   std::vector<Wide> open_, seen_;

@@ -9,21 +9,20 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <rapidcheck.h>
+#include <lightcuts/splitmix.h>
 
 namespace lightcuts::gen {
 
-/// Plain random numbers out of rapidcheck's, so that its seed reproduces them.
+/// Random numbers of the kinds that this field finds hard. The same seed gives the same bits.
 class Dice {
 public:
-  explicit Dice(const rc::Random& random) : random_(random) {}
+  explicit Dice(std::uint64_t seed) : state_(seed) {}
 
-  int below(int n) { return static_cast<int>(random_.next() % static_cast<std::uint64_t>(n)); }
+  std::uint64_t bits() { return splitmix64(state_++); }
+  int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
   bool one_in(int n) { return below(n) == 0; }
   int between(int first, int last) { return first + below(last - first + 1); }
-  double uniform(double lo, double hi) {
-    return lo + (hi - lo) * double(random_.next() >> 11) * 0x1p-53;
-  }
+  double uniform(double lo, double hi) { return lo + (hi - lo) * double(bits() >> 11) * 0x1p-53; }
   float sign() { return one_in(2) ? 1.0F : -1.0F; }
   /// Of either sign, its magnitude spread evenly over the scales from 10^lo to 10^hi.
   float log_uniform(double lo, double hi) {
@@ -93,16 +92,7 @@ private:
     const double length = glm::length(v);
     return length == 0 ? glm::vec3(0, 0, 1) : glm::vec3(v / length);
   }
-  rc::Random random_;
+  std::uint64_t state_;
 };
-
-/// What `make` makes of dice, not shrunk: for operands of a few numbers.
-template <class T>
-rc::Gen<T> from_dice(T (*make)(Dice&)) {
-  return rc::Gen<T>([make](const rc::Random& random, int) {
-    Dice dice(random);
-    return rc::shrinkable::just(make(dice));
-  });
-}
 
 } // namespace lightcuts::gen

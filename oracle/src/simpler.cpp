@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "shrinking.h"
+#include <lightcuts/oracle/simpler.h>
 
+#include <cmath>
+#include <utility>
 #include <variant>
 
 namespace lightcuts::gen {
@@ -47,29 +49,39 @@ std::vector<Scene> with_fewer_lights(const Scene& scene) {
   return list;
 }
 
-void simplify_lobe(std::vector<Scene>& list, const Scene& scene) {
-  const Lobe& lobe = scene.view.material.lobe;
+void simplify_lobe(std::vector<View>& list, const View& view) {
+  const Lobe& lobe = view.material.lobe;
   if (std::holds_alternative<NoLobe>(lobe)) return;
-  list.push_back(scene);
-  list.back().view.material.lobe = NoLobe{};
+  list.push_back(view);
+  list.back().material.lobe = NoLobe{};
   const auto simplify_as = [&]<class OneLobe>(glm::vec3 OneLobe::*colour) {
     if (std::holds_alternative<OneLobe>(lobe))
-      simplify_vector(list, scene, [colour](Scene& s) -> glm::vec3& {
-        return std::get<OneLobe>(s.view.material.lobe).*colour;
+      simplify_vector(list, view, [colour](View& v) -> glm::vec3& {
+        return std::get<OneLobe>(v.material.lobe).*colour;
       });
   };
   simplify_as(&Phong::reflectance);
   simplify_as(&Ward::reflectance);
   simplify_as(&CookTorrance::f0);
   if (std::holds_alternative<Phong>(lobe))
-    simplify(list, scene,
-             [](Scene& s) -> float& { return std::get<Phong>(s.view.material.lobe).exponent; });
+    simplify(list, view,
+             [](View& v) -> float& { return std::get<Phong>(v.material.lobe).exponent; });
+}
+
+/// Copies of `whole` in which one part, reached by `part`, is simpler.
+template <class T, class Part>
+void simplify_part(std::vector<T>& list, const T& whole, Part&& part) {
+  T copy = whole;
+  for (const auto& value : simpler(std::as_const(part(copy)))) {
+    part(copy) = value;
+    list.push_back(copy);
+  }
 }
 
 } // namespace
 
 std::vector<float> simpler(const float& value) {
-  if (value == 0) return {};
+  if (value == 0) return std::signbit(value) ? std::vector<float>{0} : std::vector<float>{};
   std::vector<float> list{0};
   if (value == 1) return list;
   list.push_back(1);
@@ -93,36 +105,46 @@ std::vector<glm::vec3> simpler_directions(const glm::vec3& v) {
   return list;
 }
 
-std::vector<Scene> simpler(const Scene& scene) {
-  std::vector<Scene> list = with_fewer_lights(scene);
-  simplify_vector(list, scene, [](Scene& s) -> glm::vec3& { return s.view.position; });
-  simplify_direction(list, scene, [](Scene& s) -> glm::vec3& { return s.view.normal; });
-  simplify_direction(list, scene, [](Scene& s) -> glm::vec3& { return s.view.to_viewer; });
-  simplify_vector(list, scene, [](Scene& s) -> glm::vec3& { return s.view.material.diffuse; });
-  simplify_lobe(list, scene);
-  simplify(list, scene, [](Scene& s) -> float& { return s.min_distance; });
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const auto position = [i](Scene& s) -> glm::vec3& { return s.lights[i].position; };
-    if (scene.lights[i].kind == LightKind::directional)
-      simplify_direction(list, scene, position);
-    else
-      simplify_vector(list, scene, position);
-    if ((only(scene.lights[i].kind) & kinds_with_axis) != 0)
-      simplify_direction(list, scene, [i](Scene& s) -> glm::vec3& { return s.lights[i].axis; });
-    simplify_vector(list, scene, [i](Scene& s) -> glm::vec3& { return s.lights[i].intensity; });
-  }
+std::vector<glm::vec3> simpler(const glm::vec3& value) {
+  std::vector<glm::vec3> list;
+  simplify_vector(list, value, [](glm::vec3& v) -> glm::vec3& { return v; });
   return list;
 }
 
-std::vector<BoxView> simpler(const BoxView& view) {
-  std::vector<BoxView> list;
-  simplify_vector(list, view, [](BoxView& v) -> glm::vec3& { return v.x; });
-  simplify_vector(list, view, [](BoxView& v) -> glm::vec3& { return v.n; });
-  simplify_vector(list, view, [](BoxView& v) -> glm::vec3& { return v.box.lo; });
-  simplify_vector(list, view, [](BoxView& v) -> glm::vec3& { return v.box.hi; });
-  std::erase_if(list, [](const BoxView& v) {
-    return v.box.lo.x > v.box.hi.x || v.box.lo.y > v.box.hi.y || v.box.lo.z > v.box.hi.z;
-  });
+std::vector<View> simpler(const View& view) {
+  std::vector<View> list;
+  simplify_vector(list, view, [](View& v) -> glm::vec3& { return v.position; });
+  simplify_direction(list, view, [](View& v) -> glm::vec3& { return v.normal; });
+  simplify_direction(list, view, [](View& v) -> glm::vec3& { return v.to_viewer; });
+  simplify_vector(list, view, [](View& v) -> glm::vec3& { return v.material.diffuse; });
+  simplify_lobe(list, view);
+  return list;
+}
+
+std::vector<Light> simpler(const Light& light) {
+  std::vector<Light> list;
+  if (light.kind != LightKind::omni && light.kind != LightKind::directional) {
+    list.push_back(light);
+    list.back().kind = LightKind::omni;
+    list.back().axis = glm::vec3(0);
+  }
+  const auto position = [](Light& l) -> glm::vec3& { return l.position; };
+  if (light.kind == LightKind::directional)
+    simplify_direction(list, light, position);
+  else
+    simplify_vector(list, light, position);
+  if ((only(light.kind) & kinds_with_axis) != 0)
+    simplify_direction(list, light, [](Light& l) -> glm::vec3& { return l.axis; });
+  simplify_vector(list, light, [](Light& l) -> glm::vec3& { return l.intensity; });
+  return list;
+}
+
+std::vector<Scene> simpler(const Scene& scene) {
+  std::vector<Scene> list = with_fewer_lights(scene);
+  simplify_part(list, scene, [](Scene& s) -> View& { return s.view; });
+  simplify(list, scene, [](Scene& s) -> float& { return s.min_distance; });
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    simplify_part(list, scene, [i](Scene& s) -> Light& { return s.lights[i]; });
   return list;
 }
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <lightcuts/cut_selector.h>
+#include <lightcuts/oracle/stress_scene.h>
+#include <lightcuts/render/scene.h>
+
+namespace lightcuts::oracle {
+
+/// A shading point, and which lights are not seen from it.
+struct CaseView {
+  gen::View view;
+  std::vector<std::uint32_t> hidden; ///< indices of lights, ascending
+};
+
+/// A triangle of a case; its surface is the first view's material.
+struct CaseTriangle {
+  std::array<glm::vec3, 3> corners;
+  std::uint32_t mesh = 0; ///< triangles of one mesh are neighbours
+};
+
+/// All that a subject is judged on at once, as small as a counterexample wants to be: lights and
+/// shading points, or, where there are triangles, lights and a picture.
+struct Case {
+  std::vector<Light> lights;
+  float min_distance = 0; ///< 0: no clamp
+  std::vector<CaseView> views;
+  CutConfig cut;
+  std::uint64_t seed = 1; ///< of the tree
+  std::vector<CaseTriangle> triangles;
+  Camera camera;            ///< of the picture
+  glm::uvec2 image_size{8}; ///< pixels
+
+  [[nodiscard]] LightSet light_set() const;
+  /// The triangles with the lights and the first view's material.
+  [[nodiscard]] lightcuts::Scene scene() const;
+};
+
+/// The index-th random case of a seed: as gen::make_scene() has it, with one to three views, or
+/// one in eight a few triangles. Same arguments, same bits.
+[[nodiscard]] Case random_case(std::uint64_t seed, std::uint64_t index);
+
+/// Cases that are simpler, the simplest first; none for the simplest of all.
+[[nodiscard]] std::vector<Case> simpler(const Case& of);
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include <lightcuts/oracle/case.h>
+#include <lightcuts/oracle/point_properties.h>
+#include <lightcuts/render/scene_view.h>
+
+namespace lightcuts::oracle {
+
+/// Compares the tree with that of greedy clustering, where lights are few and of one kind:
+/// tree-equals-naive.
+void check_cost(const Topology& topology, const LightSet& lights, std::uint64_t place,
+                Tally& tally);
+
+/// Compares cuts of two thresholds, without a black level: tighter-threshold-refines.
+void check_nesting(const Judged& judged, const CutConfig& cut, const PointCase& at, Tally& tally);
+
+/// Compares exact cuts with and without occlusion: visibility-only-darkens.
+void check_darkening(const Judged& judged, const PointCase& at, Tally& tally);
+
+/// Asks for the order of a few bounds, infinity and NaN-free ties among them:
+/// refinement-order-is-strict.
+void check_refinement_order(const Subject& subject, std::uint64_t place, Tally& tally);
+
+/// Asks everything twice, and another thread's copy of the tree: threads-agree.
+void check_agreement(const Judged& judged, const CutConfig& cut, const PointCase& at, Tally& tally);
+
+/// Checks the probabilities of all lights of all clusters, without drawing many:
+/// probabilities-sum-to-one, contributing-lights-are-drawn, draws-state-their-probability.
+void check_probabilities(const Judged& judged, const PointCase& at, Tally& tally);
+
+/// Scales, turns, shifts, reorders, splits and adds lights: all that is immaterial or scales
+/// exactly, where the floats allow it.
+void check_invariance(const Subject& subject, const Case& on, std::uint64_t place, Tally& tally);
+
+/// Shadow rays compared with brute force, and those of them too near an edge for rounding to
+/// decide.
+struct RayCount {
+  std::uint64_t rays = 0, undecided = 0;
+};
+
+/// Casts a ray to a light that the point's surface faces: occlusion-equals-brute-force.
+void check_ray(const Subject& subject, const SceneView& view, const VisiblePoint& from,
+               std::uint32_t light, std::uint64_t place, RayCount& count, Tally& tally);
+
+/// Renders the case's triangles, and casts rays from what is seen to all lights:
+/// pixels-equal-points, occlusion-equals-brute-force, results-are-finite.
+void check_picture(const Subject& subject, const Case& on, std::uint64_t place, Tally& tally);
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <lightcuts/light_tree.h>
+#include <lightcuts/oracle/subject.h>
+#include <lightcuts/tree_builder.h>
+
+namespace lightcuts::oracle {
+
+/// What a LightTree says of itself.
+[[nodiscard]] TreeClaim claim_of(const LightTree& tree);
+
+/// A tree of the library with the given rules: LightcutsRules, PaperRules, or a mutant's.
+template <class Rules>
+class RulesTree : public SubjectTree {
+public:
+  explicit RulesTree(LightTree tree, Rules rules = {})
+      : tree_(std::make_shared<const LightTree>(std::move(tree))), rules_(std::move(rules)) {}
+
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<RulesTree>(tree_, rules_);
+  }
+  [[nodiscard]] TreeClaim claim() const override { return claim_of(*tree_); }
+  [[nodiscard]] const LightTree* library_tree() const override { return tree_.get(); }
+
+  glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) override {
+    return std::visit([&](const auto& lobe) { return rules_.bound(*tree_, node, point, lobe); },
+                      point.material().lobe);
+  }
+  glm::vec3 lower_bound(std::uint32_t node, const ShadingPoint& point) override {
+    return contribution_lower_bound(*tree_, node, point);
+  }
+  glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
+                      const glm::vec3& bound) override {
+    return std::visit(
+        [&](const auto& lobe) { return rules_.estimate(*tree_, node, point, lobe, bound); },
+        point.material().lobe);
+  }
+  Cut select(const ShadingPoint& point, const CutConfig& config,
+             const std::function<bool(std::uint32_t)>& visible) override {
+    return selector(config)(point, visible);
+  }
+
+  /// Of trees that share all but what a thread needs for itself.
+  explicit RulesTree(std::shared_ptr<const LightTree> tree, Rules rules = {})
+      : tree_(std::move(tree)), rules_(std::move(rules)) {}
+
+protected:
+  [[nodiscard]] const LightTree& tree() const { return *tree_; }
+  [[nodiscard]] const std::shared_ptr<const LightTree>& shared_tree() const { return tree_; }
+  [[nodiscard]] Rules& rules() { return rules_; }
+
+private:
+  // A selector keeps its memory from call to call.
+  BasicCutSelector<Rules>& selector(const CutConfig& config) {
+    for (auto& [known, selector] : selectors_)
+      if (known == config) return selector;
+    return selectors_.emplace_back(config, BasicCutSelector<Rules>(*tree_, config, rules_)).second;
+  }
+
+  std::shared_ptr<const LightTree> tree_;
+  Rules rules_;
+  std::vector<std::pair<CutConfig, BasicCutSelector<Rules>>> selectors_;
+};
+
+/// The library, by name "lightcuts".
+[[nodiscard]] std::unique_ptr<Subject> library_subject();
+
+/// Method::paper.
+[[nodiscard]] std::unique_ptr<Subject> paper_subject();
+
+} // namespace lightcuts::oracle

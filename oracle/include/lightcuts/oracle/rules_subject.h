@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <lightcuts/oracle/library_subject.h>
+#include <lightcuts/render/renderer.h>
+
+namespace lightcuts::oracle {
+
+/// The library with other rules; what a mutant derives from to put one thing of its own in place.
+template <class Rules>
+class RulesSubject : public Subject {
+public:
+  static constexpr Parts all_parts = (1U << unsigned(part_count)) - 1;
+
+  explicit RulesSubject(std::string name) : name_(std::move(name)) {}
+
+  [[nodiscard]] const std::string& name() const override { return name_; }
+  [[nodiscard]] Parts parts() const override { return all_parts & ~only(Part::sampling); }
+  [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
+                                                   std::uint64_t seed) const override {
+    return std::make_unique<RulesTree<Rules>>(lightcuts::build(lights, {seed}));
+  }
+  [[nodiscard]] bool refined_before(double bound, double other) const override {
+    return Rules::refined_before(bound, other);
+  }
+  [[nodiscard]] bool sees(const SceneView& view, const VisiblePoint& from,
+                          std::uint32_t light) const override {
+    return view.sees(from, light);
+  }
+  [[nodiscard]] Rendering render(const SceneView& view, const LightTree& tree,
+                                 const RenderConfig& config) const override {
+    return lightcuts::render(view, tree, config);
+  }
+
+private:
+  std::string name_;
+};
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/oracle/library_subject.h>
+
+#include <lightcuts/oracle/rules_subject.h>
+#include <lightcuts/paper_rules.h>
+
+namespace lightcuts::oracle {
+
+TreeClaim claim_of(const LightTree& tree) {
+  TreeClaim claim;
+  claim.nodes.reserve(tree.nodes().size());
+  for (const TreeNode& node : tree.nodes()) {
+    TreeClaim::Node n{.representative = node.representative, .intensity = node.intensity};
+    if (node.is_leaf()) {
+      n.first_light = std::uint32_t(claim.lights.size());
+      n.light_count = 1;
+      claim.lights.push_back(node.representative);
+    } else {
+      n.first_child = std::uint32_t(claim.children.size());
+      n.child_count = 2;
+      claim.children.push_back(node.first_child);
+      claim.children.push_back(node.first_child + 1);
+    }
+    claim.nodes.push_back(n);
+  }
+  return claim;
+}
+
+std::unique_ptr<Subject> library_subject() {
+  return std::make_unique<RulesSubject<LightcutsRules>>("lightcuts");
+}
+
+std::unique_ptr<Subject> paper_subject() {
+  return std::make_unique<RulesSubject<PaperRules>>("paper");
+}
+
+} // namespace lightcuts::oracle
