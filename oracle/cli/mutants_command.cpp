@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
 #include "common.h"
+#include "count.h"
 #include "progress.h"
-#include <lightcuts/oracle/check.h>
+#include <lightcuts/oracle/hunt.h>
 #include <lightcuts/oracle/library_subject.h>
 #include <lightcuts/oracle/mutants.h>
 
@@ -15,90 +20,140 @@ namespace lightcuts::cli {
 namespace {
 
 using oracle::Property;
+using oracle::Severity;
 
 /// How one subject fared.
 struct Verdict {
-  std::string name;
-  std::optional<Property> violated; ///< the first of the list that is
+  std::string name, what_is_wrong;
+  std::optional<oracle::Counterexample> found; ///< shrunk
+  std::uint64_t cases = 0;
   double seconds = 0;
 };
 
-Verdict judge(const SceneView& view, const oracle::Subject& subject,
-              const oracle::CheckConfig& config) {
-  const oracle::CheckResult result = check(view, subject, config);
-  Verdict verdict{subject.name(), std::nullopt, result.seconds};
-  for (std::size_t i = oracle::property_count; i-- > 0;)
-    if (result.tally[Property(i)].violations > 0) verdict.violated = Property(i);
+Verdict judge(const oracle::Subject& subject, const oracle::HuntConfig& config,
+              const char* what_is_wrong) {
+  const oracle::HuntResult result = hunt(subject, config);
+  Verdict verdict{subject.name(), what_is_wrong, result.found, result.cases, result.seconds};
+  if (result.found) verdict.found = shrunk(subject, *result.found);
   return verdict;
+}
+
+std::string property_of(const Verdict& v) {
+  if (!v.found) return "-";
+  const auto& property = info(v.found->property);
+  return std::string(property.name) + (property.severity == Severity::waste ? " (waste)" : "");
 }
 
 std::string table_of(const std::vector<Verdict>& verdicts, const Verdict& library,
                      std::size_t caught) {
-  std::string text =
-      fmt::format("{:<30}{:<8}{:<32}{:>8}\n", "mutant", "caught", "by property", "seconds");
-  const auto add = [&text](const Verdict& v, const char* name) {
-    text += fmt::format("{:<30}{:<8}{:<32}{:>8.2f}\n", name, v.violated ? "yes" : "no",
-                        v.violated ? info(*v.violated).name : "-", v.seconds);
+  std::string text = fmt::format("{:<32}{:<8}{:<38}{:>8}{:>8}{:>8}\n", "mutant", "caught",
+                                 "by property", "seconds", "lights", "points");
+  const auto add = [&text](const Verdict& v, const std::string& name) {
+    const auto size = [&](std::size_t n) { return v.found ? std::to_string(n) : "-"; };
+    text += fmt::format("{:<32}{:<8}{:<38}{:>8.2f}{:>8}{:>8}\n", name, v.found ? "yes" : "no",
+                        property_of(v), v.seconds, size(v.found ? v.found->on.lights.size() : 0),
+                        size(v.found ? v.found->on.views.size() : 0));
   };
-  for (const Verdict& v : verdicts) add(v, v.name.c_str());
-  add(library, "(the library itself)");
+  for (const Verdict& v : verdicts) add(v, v.name);
+  add(library, fmt::format("(the library, {} cases)", library.cases));
   return text + fmt::format("\n{} of {} caught{}\n", caught, verdicts.size(),
-                            library.violated ? "; the library itself fails, too" : "");
+                            library.found ? "; the library itself fails, too" : "");
+}
+
+nlohmann::ordered_json json_of(const Verdict& v) {
+  nlohmann::ordered_json entry{{"name", v.name}, {"caught", v.found.has_value()}};
+  if (!v.what_is_wrong.empty()) entry["what_is_wrong"] = v.what_is_wrong;
+  for (const char* field : {"property", "severity", "lights", "points", "message"})
+    entry[field] = nullptr;
+  if (v.found) {
+    const auto& property = info(v.found->property);
+    entry["property"] = property.name;
+    entry["severity"] = property.severity == Severity::waste ? "waste" : "violation";
+    entry["lights"] = v.found->on.lights.size();
+    entry["points"] = v.found->on.views.size();
+    entry["message"] = v.found->message;
+  }
+  entry["cases"] = v.cases;
+  entry["seconds"] = v.seconds;
+  return entry;
 }
 
 std::string json_of(const std::vector<Verdict>& verdicts, const Verdict& library,
                     std::size_t caught) {
-  nlohmann::ordered_json json{{"schema", "lightcuts-oracle/mutants/1"}};
+  nlohmann::ordered_json json{{"schema", "lightcuts-oracle/mutants/2"}};
   auto& list = json["mutants"] = nlohmann::ordered_json::array();
-  for (const Verdict& v : verdicts) {
-    nlohmann::ordered_json entry{{"name", v.name}, {"caught", v.violated.has_value()}};
-    entry["property"] = nullptr;
-    if (v.violated) entry["property"] = info(*v.violated).name;
-    entry["seconds"] = v.seconds;
-    list.push_back(entry);
-  }
+  for (const Verdict& v : verdicts) list.push_back(json_of(v));
   json["caught"] = caught;
   json["total"] = verdicts.size();
-  json["library_passes"] = !library.violated;
+  json["library"] = json_of(library);
+  json["library_passes"] = !library.found;
   return text_of(json);
 }
 
-int run(const CommonOptions& options) {
-  JsonFolder folder(options);
-  const Scene scene = open_lit_scene_for(options);
-  const SceneView view(scene);
-  oracle::CheckConfig config = check_config_for(options, view);
+struct MutantsOptions : CommonOptions {
+  std::vector<std::string> names;
+  double seconds = 60;
+};
 
+std::vector<oracle::Mutant> chosen(const std::vector<std::string>& names) {
+  const auto all = oracle::mutants();
+  if (names.empty()) return {all.begin(), all.end()};
+  std::vector<oracle::Mutant> list;
+  for (const std::string& name : names) {
+    const oracle::Mutant* mutant = oracle::mutant_named(name);
+    if (mutant == nullptr) throw CLI::ValidationError("no mutant is called '" + name + "'");
+    list.push_back(*mutant);
+  }
+  return list;
+}
+
+int run(const MutantsOptions& options) {
+  require_writable_json(options);
+  JsonFolder folder(options);
+  oracle::HuntConfig config;
+  config.seed = options.seed;
+  config.cases = *parse_count(options.cases);
+  config.further = 100;
+  config.seconds = options.seconds;
+
+  const std::vector<oracle::Mutant> mutants = chosen(options.names);
   std::vector<Verdict> verdicts;
   std::size_t caught = 0;
+  Verdict library;
   {
     Progress progress("mutants");
-    for (const oracle::Mutant& mutant : oracle::mutants()) {
-      verdicts.push_back(judge(view, *mutant.subject(), config));
-      caught += verdicts.back().violated ? 1 : 0;
-      progress.update(double(verdicts.size()) / double(oracle::mutants().size() + 1));
+    for (const oracle::Mutant& mutant : mutants) {
+      verdicts.push_back(judge(*mutant.subject(), config, mutant.what_is_wrong));
+      caught += verdicts.back().found ? 1 : 0;
+      progress.update(double(verdicts.size()) / double(mutants.size() + 1));
     }
+    library = judge(*oracle::library_subject(), config, "");
   }
-  const Verdict library = judge(view, *oracle::library_subject(), config);
   const std::string json = json_of(verdicts, library, caught);
   folder.write("mutants.json", json);
   print_results(options, table_of(verdicts, library, caught), json);
-  return caught == verdicts.size() && !library.violated ? all_holds : violated;
+  return caught == verdicts.size() && !library.found ? all_holds : violated;
 }
 
 } // namespace
 
 void add_mutants_command(CLI::App& app, Action& chosen) {
-  auto options = std::make_shared<CommonOptions>();
-  options->scene = "desk";
-  options->cases = "2e5";
+  auto options = std::make_shared<MutantsOptions>();
+  options->cases = "20000";
   CLI::App* command = app.add_subcommand(
-      "mutants", "Judge deliberately broken variants of the library: each has to be caught (exit "
-                 "code 1 if one is not, or if the library itself fails).");
-  add_common_options(*command, *options);
-  add_threshold_option(*command, *options);
+      "mutants",
+      "Judge deliberately broken variants of the library on random cases: each has to be "
+      "caught (exit code 1 if one is not, or if the library itself fails).");
+  command->add_option("NAME", options->names, "mutants to judge; default: all");
+  command->add_option("--cases", options->cases, "random cases at most, such as 20000 or 1e6")
+      ->check(check_count)
+      ->capture_default_str();
+  add_seed_option(*command, *options);
   add_json_folder_option(*command, *options);
-  add_cases_option(*command, *options);
+  add_json_option(*command, *options);
+  command->add_option("--seconds", options->seconds, "most seconds for each; 0: no limit")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -55,7 +55,7 @@ void add_quad(Case& c, const glm::vec3& corner, const glm::vec3& a, const glm::v
 /// A floor with things hanging over it, seen from above, in units of any size.
 Case picture(Dice& dice) {
   Case c;
-  const float unit = dice.pick({1.0F, 1.0F, 0x1p-20F, 0x1p10F});
+  const float unit = dice.pick({1.0F, 1.0F, 0x1p-60F, 0x1p10F});
   c.views.push_back({{}, {}});
   c.views[0].view.material = {glm::vec3(0.5F), {}};
   const int blockers = dice.between(0, 4);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/oracle/hunt.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -15,33 +16,47 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The first property that does not hold, violations before waste.
+/// How near a property is to the cause: violations before waste, then in the order of Property.
+std::size_t distance_from_cause(Property property) {
+  return std::size_t(property) + (info(property).severity == Severity::waste ? property_count : 0);
+}
+
+/// The property nearest to the cause that does not hold.
 std::optional<Property> broken(const Tally& tally, bool waste) {
-  for (const Severity severity : {Severity::violation, Severity::waste})
-    for (std::size_t i = 0; i < property_count; ++i)
-      if (info(Property(i)).severity == severity && tally[Property(i)].violations > 0 &&
-          (waste || severity == Severity::violation))
-        return Property(i);
-  return std::nullopt;
+  std::optional<Property> nearest;
+  for (std::size_t i = 0; i < property_count; ++i) {
+    const Property p{static_cast<std::uint8_t>(i)};
+    if (tally[p].violations == 0 || (!waste && info(p).severity == Severity::waste)) continue;
+    if (!nearest || distance_from_cause(p) < distance_from_cause(*nearest)) nearest = p;
+  }
+  return nearest;
 }
 
 } // namespace
 
 HuntResult hunt(const Subject& subject, const HuntConfig& config) {
   const auto start = Clock::now();
+  const auto in_time = [&] { return config.seconds == 0 || seconds_since(start) < config.seconds; };
   HuntResult result;
-  while (result.cases < config.cases && !result.found &&
-         (config.seconds == 0 || seconds_since(start) < config.seconds)) {
-    const std::uint64_t index = result.cases++;
+  std::uint64_t end = config.cases;
+  for (; result.cases < end && in_time(); ++result.cases) {
+    const std::uint64_t index = result.cases;
     const Case on = random_case(config.seed, index);
     Tally tally;
     check_case(subject, on, index, tally);
-    if (const auto property = broken(tally, config.waste))
-      result.found = {*property, on, tally[*property].first_violation, index};
     result.tally.merge(tally);
-    if (config.progress) config.progress(double(result.cases) / double(config.cases));
+    if (config.progress) config.progress(double(index + 1) / double(config.cases));
+    const auto property = broken(tally, config.waste);
+    if (!property) continue;
+    if (!result.found) {
+      result.seconds = seconds_since(start);
+      end = std::min(end, index + 1 + config.further);
+    }
+    if (!result.found ||
+        distance_from_cause(*property) < distance_from_cause(result.found->property))
+      result.found = {*property, on, tally[*property].first_violation, index};
   }
-  result.seconds = seconds_since(start);
+  if (!result.found) result.seconds = seconds_since(start);
   return result;
 }
 

@@ -21,7 +21,8 @@ std::vector<NaiveCluster> leaves_of(const LightSet& lights) {
                       .intensity = power,
                       .weight = power.x + power.y + power.z,
                       .first = i,
-                      .representative = i});
+                      .representative = i,
+                      .representative_weight = power.x + power.y + power.z});
   }
   return leaves;
 }

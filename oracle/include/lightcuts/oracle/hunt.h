@@ -15,6 +15,8 @@ struct HuntConfig {
   std::uint64_t cases = 10'000; ///< at most; default 10 000
   double seconds = 0;           ///< at most; 0: no limit. Default 0
   bool waste = true;            ///< whether waste counts as found; default true
+  std::uint64_t further = 0;    ///< cases judged after the first that fails, in search of one that
+                                ///< fails a property nearer to the cause; default 0
   std::function<void(double)> progress; ///< share done; may be empty
 };
 
@@ -30,11 +32,13 @@ struct HuntResult {
   Tally tally;             ///< of all cases up to the one where something was found
   std::uint64_t cases = 0; ///< judged
   std::optional<Counterexample> found;
-  double seconds = 0;
+  double seconds = 0; ///< until the first case that fails, or until the end
 };
 
-/// Judges the subject on one random case after another, until a property does not hold; violations
-/// come before waste. The same for any number of processors, but for `seconds`.
+/// Judges the subject on one random case after another, until a property does not hold. Of several,
+/// violations come before waste, and then the order of Property: what is wrong with the tree before
+/// what is wrong with bounds, and that before cuts. The same for any number of processors, but for
+/// `seconds`.
 [[nodiscard]] HuntResult hunt(const Subject& subject, const HuntConfig& config);
 
 /// The same property does not hold on what is returned, which is as simple as can be found in so

@@ -20,6 +20,7 @@ struct NaiveCluster {
   double weight = 0;       ///< of all channels
   std::uint32_t first = 0; ///< lowest light index
   std::uint32_t representative = 0;
+  double representative_weight = 0; ///< of that light, all channels
   std::uint32_t light_count = 1;
   std::int32_t children[2] = {-1, -1}; ///< indices into the same list; -1: a leaf
 };

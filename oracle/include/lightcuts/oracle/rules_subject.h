@@ -16,13 +16,14 @@ class RulesSubject : public Subject {
 public:
   static constexpr Parts all_parts = (1U << unsigned(part_count)) - 1;
 
-  explicit RulesSubject(std::string name) : name_(std::move(name)) {}
+  explicit RulesSubject(std::string name, Rules rules = {})
+      : name_(std::move(name)), rules_(std::move(rules)) {}
 
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] Parts parts() const override { return all_parts & ~only(Part::sampling); }
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
-    return std::make_unique<RulesTree<Rules>>(lightcuts::build(lights, {seed}));
+    return std::make_unique<RulesTree<Rules>>(lightcuts::build(lights, {seed}), rules_);
   }
   [[nodiscard]] bool refined_before(double bound, double other) const override {
     return Rules::refined_before(bound, other);
@@ -38,6 +39,7 @@ public:
 
 private:
   std::string name_;
+  Rules rules_;
 };
 
 } // namespace lightcuts::oracle
