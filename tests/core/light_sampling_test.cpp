@@ -179,6 +179,31 @@ TYPED_TEST(LightSampling, DrawsTheLightOfALeaf) {
   });
 }
 
+/// A share of its own at the root; below it only the first child can contribute.
+struct RootShare {
+  double first;
+
+  template <class OneLobe>
+  [[nodiscard]] ChildShares shares(const LightTree& /*tree*/, std::uint32_t node,
+                                   const ShadingPoint& /*point*/, const OneLobe& /*lobe*/) const {
+    return node == 0 ? ChildShares{first, 1 - first} : ChildShares{1, 0};
+  }
+};
+
+// For one share in 26 the second child's u rounds to 1, where nothing is drawn.
+TEST(SampleLight, KeepsRandomNumbersBelowOne) {
+  LightSet lights;
+  for (const float x : {0.0F, 1.0F, 10.0F, 11.0F}) lights.add_omni({x, 0, 1}, glm::vec3(1));
+  const LightTree tree = build(lights);
+  const ShadingPoint point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {glm::vec3(1)});
+  gen::Dice dice{rc::Random(1)};
+  for (int i = 0; i < 10000; ++i) {
+    const RootShare importance{std::ldexp(dice.uniform(0.5, 1), -dice.below(12))};
+    const LightSample last = sample_light(importance, tree, 0, point, NoLobe(), 1 - 0x1p-53);
+    EXPECT_EQ(last.probability, 1 - importance.first);
+  }
+}
+
 TEST(SharesOf, AreInProportion) {
   EXPECT_EQ(shares_of(1, 3).first, 0.25);
   EXPECT_EQ(shares_of(1, 3).second, 0.75);
