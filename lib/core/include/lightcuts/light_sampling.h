@@ -75,7 +75,7 @@ struct CosineSuprema : JointSuprema<Features> {
 
 } // namespace detail
 
-/// Hierarchical importance sampling of Yuksel (2019, "Stochastic Lightcuts", section 4):
+/// Hierarchical importance sampling of Yuksel (2019, "Stochastic Lightcuts"):
 ///   w_0/d_0^2 : w_1/d_1^2 ,
 /// w being the upper bound of intensity x material x n.l x emission over the child's box, summed
 /// over the channels, and d the least distance to that box (at least LightSet::min_distance()).
