@@ -15,6 +15,7 @@
 #include <lightcuts/render/light_generator.h>
 #include <lightcuts/render/open_scene.h>
 #include <lightcuts/render/output_folder.h>
+#include <lightcuts/render/renderer.h>
 #include <lightcuts/render/surfels.h>
 #include <lightcuts/render/virtual_point_lights.h>
 
@@ -167,6 +168,12 @@ float parse_threshold(const std::string& text) {
 
 float threshold_for(const CommonOptions& options, const SceneView& view) {
   return options.threshold == "auto" ? default_threshold(view) : parse_threshold(options.threshold);
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const Method method : all_methods) names.emplace_back(name_of(method));
+  return names;
 }
 
 std::string check_threshold(const std::string& text) {

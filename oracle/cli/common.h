@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <glm/vec2.hpp>
@@ -52,6 +53,9 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 
 /// "2%" or "0.02" as 0.02; throws CLI::ValidationError otherwise, or below 0.
 [[nodiscard]] float parse_threshold(const std::string& text);
+
+/// The names of all_methods.
+[[nodiscard]] std::vector<std::string> method_names();
 
 /// A CLI11 check: what is wrong with the text as a threshold, or nothing.
 [[nodiscard]] std::string check_threshold(const std::string& text);

@@ -35,11 +35,12 @@ int run(const RenderOptions& options) {
   config.method = *method_named(options.method);
   config.cut = {threshold_for(options, view), options.max_cut, 0};
   config.threads = options.threads;
+  config.seed = options.seed;
   const Needs needs = find_needs(view, tree, config.cut);
   config.cut.black_level = needs.black_level;
   config.use_tree = needs.tree;
   const bool uses_tree =
-      config.method == Method::paper || (config.method == Method::lightcuts && needs.tree);
+      config.method == Method::lightcuts ? needs.tree : config.method != Method::reference;
   Rendering rendering;
   {
     Progress progress("render " + options.scene);
@@ -84,8 +85,8 @@ void add_render_command(CLI::App& app, Action& chosen) {
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
   add_out_option(*command, *options);
-  command->add_option("--method", options->method, "reference, paper or lightcuts")
-      ->check(CLI::IsMember({"reference", "paper", "lightcuts"}))
+  command->add_option("--method", options->method, "how pixels are lit")
+      ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -88,7 +88,7 @@ void add_report_command(CLI::App& app, Action& chosen) {
   command->add_option("--methods", options->methods, "rows of the table, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"reference", "paper", "lightcuts"}))
+      ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   command
       ->add_option("--thresholds,--threshold", options->thresholds,

@@ -17,6 +17,7 @@
 #include <lightcuts/oracle/random_pixels.h>
 #include <lightcuts/paper_rules.h>
 #include <lightcuts/tree_builder.h>
+#include <lightcuts/unscaled_rules.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -44,11 +45,14 @@ std::vector<Row> rows_to_run(const SceneView& view, const LightTree& tree,
     for (const float threshold : config.thresholds) {
       if (method == Method::reference) break;
       const CutConfig cut{threshold, config.max_cut, black_level};
-      const bool use_tree = method == Method::paper || find_needs(view, tree, cut).tree;
-      rows.push_back(
-          {{.method = method, .cut = cut, .use_tree = use_tree, .threads = config.threads},
-           {},
-           {}});
+      const bool use_tree = method != Method::lightcuts || find_needs(view, tree, cut).tree;
+      rows.push_back({{.method = method,
+                       .cut = cut,
+                       .use_tree = use_tree,
+                       .threads = config.threads,
+                       .seed = config.seed},
+                      {},
+                      {}});
     }
   return rows;
 }
@@ -111,9 +115,10 @@ SampledSizes sample_sizes(const SceneView& view, SubjectTree& subject, const Cut
   return {sizes.clairvoyant / double(points), sizes.actual / double(points)};
 }
 
-/// The tree as that method uses it.
+/// The tree as that method uses it, which draws nothing: drawn estimates have no clairvoyant cut.
 std::unique_ptr<SubjectTree> tree_of(Method method, const LightTree& tree) {
   if (method == Method::paper) return std::make_unique<RulesTree<PaperRules>>(tree);
+  if (method == Method::unscaled) return std::make_unique<RulesTree<UnscaledRules>>(tree);
   return std::make_unique<RulesTree<LightcutsRules>>(tree);
 }
 
@@ -144,12 +149,13 @@ Run summary(const Row& row, const Row& reference, double build_seconds) {
   return run;
 }
 
-/// The row nearest to the scene's threshold, of lightcuts if there is one, of another method else.
+/// The row nearest to the scene's threshold, of lightcuts if there is one, of the last of the other
+/// methods else.
 const Row& row_to_show(const std::vector<Row>& rows, float threshold) {
   const auto rank = [threshold](const Row& row) {
     const Method method = row.config.method;
-    const int by_method = method == Method::lightcuts ? 0 : method == Method::paper ? 1 : 2;
-    return std::pair(by_method, std::abs(row.config.cut.threshold - threshold));
+    // As all_methods has them, the best last.
+    return std::pair(-int(method), std::abs(row.config.cut.threshold - threshold));
   };
   return *std::min_element(rows.begin(), rows.end(),
                            [&](const Row& a, const Row& b) { return rank(a) < rank(b); });
@@ -237,6 +243,10 @@ Measurement measure(const SceneView& view, const MeasureConfig& config) {
 
   for (const Row& row : rows) {
     Run run = summary(row, rows.front(), build_seconds);
+    if (is_stochastic(row.config.method)) {
+      m.report.runs.push_back(run);
+      continue;
+    }
     if (row.config.method != Method::reference) {
       const auto subject = tree_of(row.config.method, tree);
       const SampledSizes sizes = sample_sizes(view, *subject, row.config.cut, config.seed);

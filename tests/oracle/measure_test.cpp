@@ -53,6 +53,33 @@ TEST(Measure, HasTheRowsAskedFor) {
   EXPECT_THAT(rows_of(measured(scene, config).report), ElementsAre(std::pair("reference", 0)));
 }
 
+TEST(Measure, MeasuresEveryMethod) {
+  MeasureConfig config = quick();
+  config.methods.assign(std::begin(all_methods), std::end(all_methods));
+  config.thresholds = {0.5F};
+  const Report report = measured(many_lights(), config).report;
+  ASSERT_EQ(report.runs.size(), std::size(all_methods));
+  for (const oracle::Run& run : report.runs) {
+    EXPECT_TRUE(std::isfinite(run.mean_certified_error)) << run.method;
+    EXPECT_GE(run.mean_certified_error, run.mean_relative_error) << run.method;
+    // What is drawn has no clairvoyant cut.
+    EXPECT_EQ(run.optimal_cut_size > 0,
+              run.method != "reference" && !is_stochastic(*method_named(run.method)))
+        << run.method;
+  }
+}
+
+TEST(Measure, DrawsByTheSeed) {
+  MeasureConfig config = quick();
+  config.methods = {Method::stochastic};
+  const auto error = [&](std::uint64_t seed) {
+    config.seed = seed;
+    return measured(many_lights(), config).report.runs.front().rel_rmse;
+  };
+  EXPECT_EQ(error(1), error(1));
+  EXPECT_NE(error(1), error(2));
+}
+
 TEST(Measure, SaysWhatWasMeasured) {
   const Scene scene = floor_scene(20);
   MeasureConfig config = quick();

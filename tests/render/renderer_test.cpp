@@ -2,10 +2,13 @@
 #include <lightcuts/render/renderer.h>
 
 #include <atomic>
+#include <cmath>
+#include <string_view>
 
 #include <gtest/gtest.h>
 #include <lightcuts/certified_error.h>
 #include <lightcuts/render/builtin_scenes.h>
+#include <lightcuts/stochastic_cut.h>
 #include <lightcuts/sum_lights.h>
 #include <lightcuts/tree_builder.h>
 
@@ -49,7 +52,7 @@ void expect_same_but_for_times(const Rendering& a, const Rendering& b) {
 
 TEST(Renderer, GivesTheSameBitsForAnyNumberOfThreads) {
   const Room room;
-  for (const Method method : {Method::reference, Method::lightcuts}) {
+  for (const Method method : all_methods) {
     const Rendering one = room.rendered({.method = method, .threads = 1});
     for (const unsigned threads : {2U, 3U, 0U})
       expect_same_but_for_times(one, room.rendered({.method = method, .threads = threads}));
@@ -97,12 +100,79 @@ TEST(Renderer, PicksTheCutOfEachPixel) {
 TEST(Renderer, ErrsByNoMoreThanItCertifies) {
   const Room room;
   const Rendering reference = room.rendered({.method = Method::reference});
-  const Rendering r = room.rendered({.cut = {0.1F, 100}});
-  EXPECT_NE(r.radiance, reference.radiance);
-  for (std::size_t i = 0; i < r.radiance.size(); ++i)
-    for (int c = 0; c < 3; ++c)
-      EXPECT_LE(std::abs(double(r.radiance[i][c]) - reference.radiance[i][c]),
-                double(r.certified_error[i][c]) + reference.certified_error[i][c]);
+  for (const Method method : all_methods) {
+    if (method == Method::reference) continue;
+    const Rendering r = room.rendered({.method = method, .cut = {0.1F, 100}});
+    EXPECT_NE(r.radiance, reference.radiance);
+    for (std::size_t i = 0; i < r.radiance.size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        EXPECT_LE(std::abs(double(r.radiance[i][c]) - reference.radiance[i][c]),
+                  double(r.certified_error[i][c]) + reference.certified_error[i][c]);
+  }
+}
+
+TEST(Renderer, DrawsTheLightsOfEachPixelByTheSeed) {
+  const Room room;
+  const CutConfig config{0.1F, 40, 1e-4F};
+  const Rendering r = room.rendered({.method = Method::stochastic, .cut = config, .seed = 5});
+  const SceneView view(room.scene);
+  StochasticCutSelector select(room.tree, config, 5);
+  for (unsigned y = 0; y < view.size().y; y += 5)
+    for (unsigned x = 0; x < view.size().x; x += 5) {
+      const auto p = view.at({x, y});
+      const std::size_t i = y * view.size().x + x;
+      const Cut cut = select(p->point, i, [&](std::uint32_t j) { return view.sees(*p, j); });
+      EXPECT_EQ(r.radiance[i], cut.radiance);
+      EXPECT_EQ(r.certified_error[i], cut.certified_error);
+      EXPECT_EQ(r.shadow_rays[i], float(cut.shadow_rays));
+    }
+  EXPECT_NE(r.radiance, room.rendered({.method = Method::stochastic, .cut = config}).radiance);
+}
+
+double mean(const std::vector<glm::vec3>& picture) {
+  double sum = 0;
+  for (const glm::vec3& v : picture) sum += double(v.x) + v.y + v.z;
+  return sum / (3 * double(picture.size()));
+}
+
+double rmse(const std::vector<glm::dvec3>& a, const std::vector<glm::vec3>& b) {
+  double squares = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const glm::dvec3 d = a[i] - glm::dvec3(b[i]);
+    squares += glm::dot(d, d);
+  }
+  return std::sqrt(squares / (3 * double(a.size())));
+}
+
+// The error of the mean of n falls like that of independent samples, whatever the pixel; what is
+// left of a bias would not fall.
+TEST(Renderer, ConvergesToTheReferenceByTheMeanOverSeeds) {
+  const Room room;
+  const Rendering reference = room.rendered({.method = Method::reference});
+  for (const Method method : {Method::stochastic, Method::stochastic_intensity}) {
+    constexpr int n = 64;
+    std::vector<glm::dvec3> sum(reference.radiance.size(), glm::dvec3(0));
+    double of_one = 0, brightness = 0, brightness2 = 0;
+    for (std::uint64_t seed = 0; seed < n; ++seed) {
+      const Rendering r = room.rendered({.method = method, .cut = {0.2F, 20}, .seed = seed});
+      const std::vector<glm::dvec3> picture(r.radiance.begin(), r.radiance.end());
+      of_one += std::pow(rmse(picture, reference.radiance), 2) / n;
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += picture[i] / double(n);
+      const double d = mean(r.radiance) - mean(reference.radiance);
+      brightness += d / n;
+      brightness2 += d * d / n;
+    }
+    // Of 777 pixels: the mean square has a deviation of about sqrt(2 / 777), half of it the root.
+    EXPECT_NEAR(rmse(sum, reference.radiance) * std::sqrt(n / of_one), 1, 0.15) << name_of(method);
+    EXPECT_LE(std::abs(brightness), 5 * std::sqrt(brightness2 / n)) << name_of(method);
+  }
+}
+
+TEST(Renderer, IsTooDarkWithoutScaling) {
+  const Room room;
+  const RenderConfig config{.method = Method::unscaled, .cut = {0.5F, 100}};
+  const Rendering r = room.rendered(config);
+  EXPECT_LT(mean(r.radiance), 0.9 * mean(room.rendered({.method = Method::reference}).radiance));
 }
 
 TEST(Renderer, SumsLightsWhereTheTreeIsLeftOut) {
@@ -173,8 +243,13 @@ TEST(Renderer, MeasuresTime) {
 }
 
 TEST(Method, HasANameThatFindsIt) {
-  for (const Method m : {Method::reference, Method::lightcuts})
+  for (const Method m : all_methods) {
+    EXPECT_NE(std::string_view(name_of(m)), "");
     EXPECT_EQ(method_named(name_of(m)), m);
+  }
+  EXPECT_EQ(method_named("stochastic"), Method::stochastic);
+  EXPECT_EQ(method_named("stochastic-intensity"), Method::stochastic_intensity);
+  EXPECT_EQ(method_named("unscaled"), Method::unscaled);
   EXPECT_EQ(method_named("Lightcuts"), std::nullopt);
   EXPECT_EQ(method_named(""), std::nullopt);
 }

@@ -11,7 +11,9 @@
 
 #include <lightcuts/certified_error.h>
 #include <lightcuts/paper_rules.h>
+#include <lightcuts/stochastic_cut.h>
 #include <lightcuts/sum_lights.h>
+#include <lightcuts/unscaled_rules.h>
 
 namespace lightcuts {
 namespace {
@@ -42,9 +44,7 @@ Lit light_by_sum(const SceneView& view, const VisiblePoint& p) {
   return lit;
 }
 
-template <class Selector, class Visible>
-Lit light_by_cut(const VisiblePoint& p, Selector& select, Visible&& visible) {
-  const Cut cut = select(p.point, visible);
+Lit lit_by(const Cut& cut) {
   return {cut.radiance, cut.certified_error, static_cast<float>(cut.clusters.size()),
           static_cast<float>(cut.shadow_rays), cut.end};
 }
@@ -68,7 +68,7 @@ void store(Rendering& r, std::size_t i, const Lit& lit, const glm::vec3& emissio
   r.end[i] = lit.end;
 }
 
-/// Renders with light(p, state) for each visible point, state being one per thread.
+/// Renders with light(p, pixel, state) for each visible point, state being one per thread.
 template <class State, class Light>
 Rendering render_tiles(const SceneView& view, const RenderConfig& config, State&& make_state,
                        const Light& light) {
@@ -88,7 +88,7 @@ Rendering render_tiles(const SceneView& view, const RenderConfig& config, State&
         const auto p = view.at({x, y});
         if (!p) continue;
         ++seen;
-        store(result, i, light(*p, state), p->emission);
+        store(result, i, light(*p, i, state), p->emission);
         result.microseconds[i] = static_cast<float>(1e6 * seconds_since(start));
       }
     surface_pixels += seen;
@@ -116,14 +116,39 @@ Rendering render_by_cuts(const SceneView& view, const LightTree& tree, const Ren
     using Selector = BasicCutSelector<Rules<decltype(features)>>;
     return render_tiles(
         view, config, [&] { return Selector(tree, cut); },
-        [&](const VisiblePoint& p, Selector& select) {
-          return light_by_cut(p, select,
-                              [&](std::uint32_t light) { return view.casts_to(p, light); });
+        [&](const VisiblePoint& p, std::size_t /*pixel*/, Selector& select) {
+          return lit_by(
+              select(p.point, [&](std::uint32_t light) { return view.casts_to(p, light); }));
         });
   };
   if (!config.specialise) return render_with(AnyFeatures());
   return with_features(tree.lights(), view.may_occlude(), render_with);
 }
+
+template <template <class> class Importance>
+Rendering render_by_samples(const SceneView& view, const LightTree& tree,
+                            const RenderConfig& config) {
+  CutConfig cut = config.cut;
+  cut.unoccluded = config.specialise && !view.may_occlude();
+  const auto render_with = [&](auto features) {
+    using Features = decltype(features);
+    using Selector =
+        BasicStochasticCutSelector<BasicLightcutsRules<Features>, Importance<Features>>;
+    return render_tiles(
+        view, config, [&] { return Selector(tree, cut, config.seed); },
+        [&](const VisiblePoint& p, std::size_t pixel, Selector& select) {
+          return lit_by(
+              select(p.point, pixel, [&](std::uint32_t light) { return view.casts_to(p, light); }));
+        });
+  };
+  if (!config.specialise) return render_with(AnyFeatures());
+  // Without occlusion, too: what that leaves out plays no part here, but for error bounds that
+  // take time.
+  return with_features(tree.lights(), true, render_with);
+}
+
+template <class>
+using AlikeForAll = IntensityImportance;
 
 } // namespace
 
@@ -133,6 +158,12 @@ const char* name_of(Method method) {
     return "reference";
   case Method::paper:
     return "paper";
+  case Method::unscaled:
+    return "unscaled";
+  case Method::stochastic_intensity:
+    return "stochastic-intensity";
+  case Method::stochastic:
+    return "stochastic";
   case Method::lightcuts:
     return "lightcuts";
   }
@@ -146,12 +177,26 @@ std::optional<Method> method_named(std::string_view name) {
 }
 
 Rendering render(const SceneView& view, const LightTree& tree, const RenderConfig& config) {
-  if (config.method == Method::paper) return render_by_cuts<BasicPaperRules>(view, tree, config);
-  if (config.method == Method::lightcuts && config.use_tree)
-    return render_by_cuts<BasicLightcutsRules>(view, tree, config);
+  switch (config.method) {
+  case Method::paper:
+    return render_by_cuts<BasicPaperRules>(view, tree, config);
+  case Method::unscaled:
+    return render_by_cuts<BasicUnscaledRules>(view, tree, config);
+  case Method::stochastic_intensity:
+    return render_by_samples<AlikeForAll>(view, tree, config);
+  case Method::stochastic:
+    return render_by_samples<HierarchicalImportance>(view, tree, config);
+  case Method::lightcuts:
+    if (config.use_tree) return render_by_cuts<BasicLightcutsRules>(view, tree, config);
+    break;
+  case Method::reference:
+    break;
+  }
   return render_tiles(
       view, config, [] { return 0; },
-      [&](const VisiblePoint& p, int /*no state*/) { return light_by_sum(view, p); });
+      [&](const VisiblePoint& p, std::size_t /*pixel*/, int /*no state*/) {
+        return light_by_sum(view, p);
+      });
 }
 
 } // namespace lightcuts

@@ -63,6 +63,7 @@ LightTree stale_child(const LightSet& lights, std::uint64_t seed) {
   if (nodes.size() > 1) {
     std::swap(nodes[1], nodes[2]);
     std::swap(nodes[1].first_child, nodes[2].first_child); // where they were
+    std::swap(nodes[1].kinds, nodes[2].kinds);
   }
   return {lights, std::move(nodes)};
 }

@@ -29,7 +29,7 @@ struct Run {
   std::uint64_t size_limited_pixels = 0; ///< ended by the largest cut size
   double speedup_over_reference = 1;
   double efficiency = 0;       ///< 1 / (rel_rmse^2 render_seconds); 0 for the reference
-  double optimal_cut_size = 0; ///< mean clairvoyant cut over a sample of pixels
+  double optimal_cut_size = 0; ///< mean clairvoyant cut over a sample of pixels; 0: not measured
   double cut_efficiency = 0;   ///< that / the mean cut there
 };
 

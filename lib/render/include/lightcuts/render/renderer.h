@@ -15,13 +15,23 @@
 
 namespace lightcuts {
 
-/// How pixels are lit.
+/// How pixels are lit, roughly from worse to better but for the reference.
 enum class Method {
-  reference, ///< every light on its own
-  paper,     ///< lightcuts as published, to compare with; see PaperRules
-  lightcuts  ///< a cut of the light tree; see LightcutsRules
+  reference,            ///< every light on its own
+  unscaled,             ///< paper without scaling: too dark, to compare with; see UnscaledRules
+  paper,                ///< lightcuts as published, to compare with; see PaperRules
+  stochastic_intensity, ///< lights drawn from a cut, see StochasticCutSelector, by intensity
+  stochastic,           ///< the same by hierarchical importance: unbiased, with noise
+  lightcuts             ///< a cut of the light tree; see LightcutsRules
 };
-inline constexpr Method all_methods[] = {Method::reference, Method::paper, Method::lightcuts};
+inline constexpr Method all_methods[] = {Method::reference,  Method::unscaled,
+                                         Method::paper,      Method::stochastic_intensity,
+                                         Method::stochastic, Method::lightcuts};
+
+/// Whether the method draws lights at random: RenderConfig::seed matters.
+[[nodiscard]] constexpr bool is_stochastic(Method method) {
+  return method == Method::stochastic || method == Method::stochastic_intensity;
+}
 
 /// The methods by the names that the command line and reports use.
 [[nodiscard]] const char* name_of(Method method);
@@ -29,11 +39,12 @@ inline constexpr Method all_methods[] = {Method::reference, Method::paper, Metho
 
 struct RenderConfig {
   Method method = Method::lightcuts;
-  CutConfig cut;                        ///< for Method::lightcuts
+  CutConfig cut;                        ///< for all methods but the reference
   bool use_tree = true;                 ///< false: lightcuts sums all lights, see Needs::tree
   bool specialise = true;               ///< false: cuts by the kernel for any scene, which casts
                                         ///< every shadow ray; to compare with
   unsigned threads = 0;                 ///< 0: one per core; default 0
+  std::uint64_t seed = 1;               ///< of the methods that draw lights; default 1
   std::function<void(double)> progress; ///< called with the share done, by any thread; may be empty
 };
 
@@ -43,7 +54,7 @@ struct Rendering {
   std::vector<glm::vec3> radiance;        ///< reflected towards the camera; emission is not in it
   std::vector<glm::vec3> certified_error; ///< |radiance - exact| is at most this
   std::vector<glm::vec3> emission;        ///< of the surface itself
-  std::vector<float> cut_size;            ///< clusters (lightcuts) or lights (reference)
+  std::vector<float> cut_size;            ///< clusters, or lights (reference)
   std::vector<float> shadow_rays;
   std::vector<float> microseconds; ///< wall time of the pixel
   std::vector<CutEnd> end;
