@@ -10,6 +10,9 @@
 namespace lightcuts::oracle {
 namespace {
 
+// For runs of up to 10 000 cases with draws.
+constexpr DrawConfig draw_config{.false_alarms = 1e-6, .cases = 10'000};
+
 void check_cuts(const Judged& judged, const CutConfig& cut, const PointCase& at, Tally& tally) {
   const auto visible = [&at](std::uint32_t light) {
     return light < at.visible.size() && at.visible[light] != 0;
@@ -39,6 +42,8 @@ void check_views(const Judged& judged, const Topology& topology, const LightSet&
     if (judged.has(Part::cuts)) check_cuts(judged, on.cut, at, tally);
     if (judged.has(Part::sampling)) check_probabilities(judged, at, tally);
     check_agreement(judged, on.cut, at, tally);
+    if (on.draws && judged.has(Part::sampling) && judged.has(Part::random_cuts))
+      check_draws(judged, on.cut, draw_config, at, tally);
   }
 }
 

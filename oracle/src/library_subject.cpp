@@ -30,6 +30,11 @@ std::unique_ptr<Subject> library_subject() {
   return std::make_unique<RulesSubject<LightcutsRules>>("lightcuts");
 }
 
+std::unique_ptr<Subject> stochastic_intensity_subject() {
+  return std::make_unique<RulesSubject<LightcutsRules, IntensityImportance>>(
+      "stochastic-intensity");
+}
+
 std::unique_ptr<Subject> paper_subject() {
   return std::make_unique<RulesSubject<PaperRules>>("paper");
 }

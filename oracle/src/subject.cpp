@@ -29,9 +29,11 @@ const char* name_of(Part part) {
   case Part::occlusion:
     return "occlusion";
   case Part::pictures:
+    return "pictures";
+  case Part::random_cuts:
     break;
   }
-  return "pictures";
+  return "random cuts";
 }
 
 glm::vec3 SubjectTree::bound(std::uint32_t, const ShadingPoint&) { not_a_part(Part::bounds); }
@@ -59,6 +61,18 @@ DrawnLight SubjectTree::sample(std::uint32_t, const ShadingPoint&, double) {
 
 double SubjectTree::probability(std::uint32_t, const ShadingPoint&, std::uint32_t) {
   not_a_part(Part::sampling);
+}
+
+std::vector<double> SubjectTree::probabilities(std::uint32_t node, const ShadingPoint& point,
+                                               std::span<const std::uint32_t> lights) {
+  std::vector<double> result;
+  for (const std::uint32_t light : lights) result.push_back(probability(node, point, light));
+  return result;
+}
+
+Cut SubjectTree::draw(const ShadingPoint&, const CutConfig&, std::uint64_t,
+                      const std::function<bool(std::uint32_t)>&) {
+  not_a_part(Part::random_cuts);
 }
 
 bool Subject::refined_before(double, double) const { not_a_part(Part::refinement_order); }

@@ -33,6 +33,7 @@ struct Case {
   std::vector<CaseView> views;
   CutConfig cut;
   std::uint64_t seed = 1; ///< of the tree
+  bool draws = false;     ///< whether to judge by many random draws, too
   std::vector<CaseTriangle> triangles;
   Camera camera;            ///< of the picture
   glm::uvec2 image_size{8}; ///< pixels
@@ -42,8 +43,8 @@ struct Case {
   [[nodiscard]] lightcuts::Scene scene() const;
 };
 
-/// The index-th random case of a seed: as gen::make_scene() has it, with one to three views, or
-/// one in eight a few triangles. Same arguments, same bits.
+/// The index-th random case of a seed: as gen::make_scene() has it, with one to three views; one in
+/// eight with a few triangles; one in 500 to be judged by many draws. Same arguments, same bits.
 [[nodiscard]] Case random_case(std::uint64_t seed, std::uint64_t index);
 
 /// Cases that are simpler, the simplest first; none for the simplest of all.

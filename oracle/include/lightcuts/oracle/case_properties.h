@@ -31,6 +31,20 @@ void check_agreement(const Judged& judged, const CutConfig& cut, const PointCase
 /// probabilities-sum-to-one, contributing-lights-are-drawn, draws-state-their-probability.
 void check_probabilities(const Judged& judged, const PointCase& at, Tally& tally);
 
+/// Draws so many lights that, all cases of a run taken together, the chance of any false alarm is
+/// at most false_alarms (each test has its Sidak share), and a bias of 1 % of the mean goes
+/// unnoticed with a probability of at most 0.001: draws-follow-probabilities,
+/// draws-are-independent, stochastic-is-unbiased. Nothing where that takes more than max_draws.
+/// cases: how many calls share false_alarms.
+struct DrawConfig {
+  double false_alarms = 1e-6;
+  std::uint64_t cases = 1;
+  std::uint64_t max_draws = 4'000'000;
+  std::uint64_t seed = 1;
+};
+void check_draws(const Judged& judged, const CutConfig& cut, const DrawConfig& config,
+                 const PointCase& at, Tally& tally);
+
 /// Scales, turns, shifts, reorders, splits and adds lights: all that is immaterial or scales
 /// exactly, where the floats allow it.
 void check_invariance(const Subject& subject, const Case& on, std::uint64_t place, Tally& tally);

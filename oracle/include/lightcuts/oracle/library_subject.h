@@ -2,14 +2,17 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
-#include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include <lightcuts/light_sampling.h>
 #include <lightcuts/light_tree.h>
 #include <lightcuts/oracle/subject.h>
+#include <lightcuts/stochastic_cut.h>
 #include <lightcuts/tree_builder.h>
 
 namespace lightcuts::oracle {
@@ -17,8 +20,9 @@ namespace lightcuts::oracle {
 /// What a LightTree says of itself.
 [[nodiscard]] TreeClaim claim_of(const LightTree& tree);
 
-/// A tree of the library with the given rules: LightcutsRules, PaperRules, or a mutant's.
-template <class Rules>
+/// A tree of the library with the given rules: LightcutsRules, PaperRules, or a mutant's; lights
+/// are drawn by Importance.
+template <class Rules, class Importance = HierarchicalImportance<AnyFeatures>>
 class RulesTree : public SubjectTree {
 public:
   explicit RulesTree(LightTree tree, Rules rules = {})
@@ -48,6 +52,37 @@ public:
     return selector(config)(point, visible);
   }
 
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
+    return std::visit(
+        [&](const auto& lobe) -> DrawnLight {
+          const LightSample s = sample_light(Importance(), *tree_, node, point, lobe, u);
+          return {s.light, s.probability};
+        },
+        point.material().lobe);
+  }
+  double probability(std::uint32_t node, const ShadingPoint& point, std::uint32_t light) override {
+    return probabilities(node, point, std::span(&light, 1)).front();
+  }
+  std::vector<double> probabilities(std::uint32_t node, const ShadingPoint& point,
+                                    std::span<const std::uint32_t> lights) override {
+    std::unordered_map<std::uint32_t, double> known;
+    std::visit(
+        [&](const auto& lobe) {
+          visit_probabilities(Importance(), *tree_, node, point, lobe,
+                              [&](std::uint32_t light, double p) { known[light] = p; });
+        },
+        point.material().lobe);
+    std::vector<double> result;
+    for (const std::uint32_t light : lights) result.push_back(known[light]);
+    return result;
+  }
+  Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
+           const std::function<bool(std::uint32_t)>& visible) override {
+    if (!random_ || !(random_->first == config))
+      random_.emplace(config, RandomSelector(*tree_, config));
+    return random_->second(point, query, visible);
+  }
+
   /// Of trees that share all but what a thread needs for itself.
   explicit RulesTree(std::shared_ptr<const LightTree> tree, Rules rules = {})
       : tree_(std::move(tree)), rules_(std::move(rules)) {}
@@ -68,10 +103,16 @@ private:
   std::shared_ptr<const LightTree> tree_;
   Rules rules_;
   std::vector<std::pair<CutConfig, BasicCutSelector<Rules>>> selectors_;
+  // The choice of a cut by the library's rules: only what is drawn is random.
+  using RandomSelector = BasicStochasticCutSelector<LightcutsRules, Importance>;
+  std::optional<std::pair<CutConfig, RandomSelector>> random_;
 };
 
 /// The library, by name "lightcuts".
 [[nodiscard]] std::unique_ptr<Subject> library_subject();
+
+/// The same, drawing lights by intensity alone, by name "stochastic-intensity".
+[[nodiscard]] std::unique_ptr<Subject> stochastic_intensity_subject();
 
 /// Method::paper.
 [[nodiscard]] std::unique_ptr<Subject> paper_subject();

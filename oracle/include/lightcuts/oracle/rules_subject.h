@@ -11,7 +11,7 @@
 namespace lightcuts::oracle {
 
 /// The library with other rules; what a mutant derives from to put one thing of its own in place.
-template <class Rules>
+template <class Rules, class Importance = HierarchicalImportance<AnyFeatures>>
 class RulesSubject : public Subject {
 public:
   static constexpr Parts all_parts = (1U << unsigned(part_count)) - 1;
@@ -20,10 +20,10 @@ public:
       : name_(std::move(name)), rules_(std::move(rules)) {}
 
   [[nodiscard]] const std::string& name() const override { return name_; }
-  [[nodiscard]] Parts parts() const override { return all_parts & ~only(Part::sampling); }
+  [[nodiscard]] Parts parts() const override { return all_parts; }
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
-    return std::make_unique<RulesTree<Rules>>(lightcuts::build(lights, {seed}), rules_);
+    return std::make_unique<RulesTree<Rules, Importance>>(lightcuts::build(lights, {seed}), rules_);
   }
   [[nodiscard]] bool refined_before(double bound, double other) const override {
     return Rules::refined_before(bound, other);

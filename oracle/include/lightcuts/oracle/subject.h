@@ -7,6 +7,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/cut_selector.h>
@@ -33,9 +34,10 @@ enum class Part : unsigned {
   sampling = 16,         ///< SubjectTree::sample() and probability()
   refinement_order = 32, ///< Subject::refined_before()
   occlusion = 64,        ///< Subject::sees()
-  pictures = 128         ///< Subject::render()
+  pictures = 128,        ///< Subject::render()
+  random_cuts = 256      ///< SubjectTree::draw()
 };
-inline constexpr int part_count = 8;
+inline constexpr int part_count = 9;
 using Parts = unsigned;
 [[nodiscard]] constexpr Parts only(Part part) { return unsigned(part); }
 [[nodiscard]] constexpr bool has(Parts parts, Part part) { return (parts & only(part)) != 0; }
@@ -79,6 +81,13 @@ public:
   virtual DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u);
   /// The probability with which sample() draws the light.
   virtual double probability(std::uint32_t node, const ShadingPoint& point, std::uint32_t light);
+  /// The same of several lights.
+  virtual std::vector<double> probabilities(std::uint32_t node, const ShadingPoint& point,
+                                            std::span<const std::uint32_t> lights);
+  /// A random estimate: each cluster of a cut lit by one light drawn by the subject's own random
+  /// numbers, which `query` decides. The cut does not depend on it. Valid until the next call.
+  virtual Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
+                   const std::function<bool(std::uint32_t)>& visible);
   /// The library's own tree underneath, or nothing for a foreign one.
   [[nodiscard]] virtual const LightTree* library_tree() const { return nullptr; }
 };
