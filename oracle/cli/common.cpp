@@ -48,13 +48,6 @@ std::string check_distance(const std::string& text) {
              : "'" + text + "' is not a finite number above 0";
 }
 
-std::string check_count(const std::string& text) {
-  return parse_count(text) ? ""
-                           : "'" + text +
-                                 "' is not a whole number above 0 and below 2^64, such as 1000000 "
-                                 "or 1e9";
-}
-
 constexpr unsigned max_threads = 1024;
 
 /// Known before the long job, not after.
@@ -93,7 +86,7 @@ void make_lights(const CommonOptions& options, Scene& scene) {
 }
 
 Scene opened(const CommonOptions& options) {
-  if (!options.json.empty() && options.json != "-") require_writable(options.json);
+  require_writable_json(options);
   Scene scene = open_scene(options.scene);
   if (!options.size.empty()) scene.image_size = *parse_size(options.size);
   try {
@@ -145,6 +138,13 @@ void print_notes(const Scene& scene) {
 
 } // namespace
 
+std::string check_count(const std::string& text) {
+  return parse_count(text) ? ""
+                           : "'" + text +
+                                 "' is not a whole number above 0 and below 2^64, such as 1000000 "
+                                 "or 1e9";
+}
+
 std::string check_positive(const std::string& text) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   const bool zero = text.find_first_not_of('0') == std::string::npos;
@@ -184,9 +184,7 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
       .add_option("SCENE", options.scene,
                   "a built-in scene (see 'scenes'), or a .json, .obj, .gltf or .glb file")
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "of every random choice")
-      ->check(check_not_negative)
-      ->capture_default_str();
+  add_seed_option(command, options);
   command.add_option("--threads", options.threads, "0: one per core")
       ->check(CLI::Range(0U, max_threads))
       ->capture_default_str();
@@ -201,9 +199,23 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
                   "own; default: the scene's")
       ->check(check_positive);
   add_light_options(command, options);
+  add_json_option(command, options);
+}
+
+void add_seed_option(CLI::App& command, CommonOptions& options) {
+  command.add_option("--seed", options.seed, "of every random choice")
+      ->check(check_not_negative)
+      ->capture_default_str();
+}
+
+void add_json_option(CLI::App& command, CommonOptions& options) {
   command.add_option("--json", options.json,
                      "write the results to this file as JSON; '-': to stdout, and no table; "
                      "default: no JSON");
+}
+
+void require_writable_json(const CommonOptions& options) {
+  if (!options.json.empty() && options.json != "-") require_writable(options.json);
 }
 
 void add_threshold_option(CLI::App& command, CommonOptions& options) {

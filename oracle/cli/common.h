@@ -42,6 +42,8 @@ struct CommonOptions {
 /// Adds SCENE, --seed, --threads, --max-cut, --size, --json, and what makes lights: --lights,
 /// --area-lights, --environment, --environment-lights, --vpls, --surfels and --min-distance.
 void add_common_options(CLI::App& command, CommonOptions& options);
+void add_seed_option(CLI::App& command, CommonOptions& options);
+void add_json_option(CLI::App& command, CommonOptions& options);
 void add_threshold_option(CLI::App& command, CommonOptions& options);
 void add_out_option(CLI::App& command, CommonOptions& options);
 
@@ -54,8 +56,14 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 /// A CLI11 check: what is wrong with the text as a threshold, or nothing.
 [[nodiscard]] std::string check_threshold(const std::string& text);
 
+/// The same for a number that parse_count() reads.
+[[nodiscard]] std::string check_count(const std::string& text);
+
 /// A CLI11 check: what is wrong with the text as a number above 0, or nothing.
 [[nodiscard]] std::string check_positive(const std::string& text);
+
+/// Throws InputError where --json cannot be written: before the long job, not after.
+void require_writable_json(const CommonOptions& options);
 
 /// Opens options.scene and applies --size and the options that make lights, in the order in which
 /// add_common_options names them: VPLs and surfels reflect all the others. Throws InputError, also

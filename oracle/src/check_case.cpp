@@ -1,45 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/oracle/check_case.h>
 
-#include <fmt/format.h>
-
-#include <lightcuts/input_error.h>
+#include "each_view.h"
 #include <lightcuts/oracle/case_properties.h>
 #include <lightcuts/oracle/point_properties.h>
 
 namespace lightcuts::oracle {
 namespace {
 
-void check_cuts(const Judged& judged, const CutConfig& cut, const PointCase& at, Tally& tally) {
+void check_cuts(const Judged& judged, const Case& on, const PointCase& at, Tally& tally) {
   const auto visible = [&at](std::uint32_t light) {
     return light < at.visible.size() && at.visible[light] != 0;
   };
-  CutConfig exact = cut, small = cut;
-  exact.threshold = 0;
-  exact.black_level = 0;
-  exact.max_size = std::uint32_t(at.lights().size());
-  small.max_size = 3;
-  for (const CutConfig& config : {cut, exact, small})
+  for (const CutConfig& config : cuts_of(on))
     check_cut(judged, config, judged.tree.select(at.point, config, visible), at, tally);
-  check_nesting(judged, cut, at, tally);
+  check_nesting(judged, on.cut, at, tally);
   check_darkening(judged, at, tally);
 }
 
 void check_views(const Judged& judged, const Topology& topology, const LightSet& lights,
                  const Case& on, std::uint64_t place, Tally& tally) {
-  Truth truth;
-  std::vector<char> visible;
-  for (const CaseView& v : on.views) {
-    const ShadingPoint point = v.view.point();
-    visible.assign(lights.size(), 1);
-    for (const std::uint32_t hidden : v.hidden) visible[hidden] = 0;
-    truth.evaluate(topology, lights, point, visible);
-    const PointCase at{place, point, visible, truth};
+  for_each_view(on, topology, lights, place, [&](std::size_t, const PointCase& at) {
     check_clusters(judged, at, tally);
-    if (judged.has(Part::cuts)) check_cuts(judged, on.cut, at, tally);
+    if (judged.has(Part::cuts)) check_cuts(judged, on, at, tally);
     if (judged.has(Part::sampling)) check_probabilities(judged, at, tally);
     check_agreement(judged, on.cut, at, tally);
-  }
+    return false;
+  });
 }
 
 void check_all(const Subject& subject, const Case& on, std::uint64_t place, Tally& tally) {
@@ -57,6 +44,15 @@ void check_all(const Subject& subject, const Case& on, std::uint64_t place, Tall
 }
 
 } // namespace
+
+std::array<CutConfig, 3> cuts_of(const Case& on) {
+  CutConfig exact = on.cut, small = on.cut;
+  exact.threshold = 0;
+  exact.black_level = 0;
+  exact.max_size = std::uint32_t(on.lights.size());
+  small.max_size = 3;
+  return {on.cut, exact, small};
+}
 
 void check_case(const Subject& subject, const Case& on, std::uint64_t place, Tally& tally) {
   std::string failure;

@@ -15,16 +15,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The first property that does not hold, violations before waste.
-std::optional<Property> broken(const Tally& tally, bool waste) {
-  for (const Severity severity : {Severity::violation, Severity::waste})
-    for (std::size_t i = 0; i < property_count; ++i)
-      if (info(Property(i)).severity == severity && tally[Property(i)].violations > 0 &&
-          (waste || severity == Severity::violation))
-        return Property(i);
-  return std::nullopt;
-}
-
 } // namespace
 
 HuntResult hunt(const Subject& subject, const HuntConfig& config) {
@@ -36,8 +26,9 @@ HuntResult hunt(const Subject& subject, const HuntConfig& config) {
     const Case on = random_case(config.seed, index);
     Tally tally;
     check_case(subject, on, index, tally);
-    if (const auto property = broken(tally, config.waste))
-      result.found = {*property, on, tally[*property].first_violation, index};
+    const std::vector<Property> list = broken(tally);
+    if (!list.empty() && (config.waste || info(list.front()).severity == Severity::violation))
+      result.found = {list.front(), on, tally[list.front()].first_violation, index};
     result.tally.merge(tally);
     if (config.progress) config.progress(double(result.cases) / double(config.cases));
   }
@@ -59,17 +50,15 @@ std::optional<std::string> failure_of(const Subject& subject, Property property,
 Counterexample shrunk(const Subject& subject, const Counterexample& found, double seconds) {
   const auto start = Clock::now();
   Counterexample best = found;
-  for (bool simpler_one_fails = true; simpler_one_fails && seconds_since(start) < seconds;) {
-    simpler_one_fails = false;
-    for (Case& candidate : simpler(best.on)) {
-      if (seconds_since(start) >= seconds) break;
-      auto failure = failure_of(subject, best.property, candidate);
-      if (!failure) continue;
-      best.on = std::move(candidate);
-      best.message = std::move(*failure);
-      simpler_one_fails = true;
-      break;
-    }
+  for (std::optional<Counterexample> next(found); next;) {
+    next.reset();
+    visit_simpler(best.on, [&](Case& candidate) {
+      if (seconds_since(start) >= seconds) return true;
+      if (auto failure = failure_of(subject, best.property, candidate))
+        next = {best.property, std::move(candidate), std::move(*failure), best.index};
+      return next.has_value();
+    });
+    if (next) best = *next;
   }
   return best;
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <lightcuts/oracle/case.h>
+#include <lightcuts/oracle/truth.h>
+
+namespace lightcuts::oracle {
+
+/// "(0, 0.5, 1)", with digits enough to tell floats apart.
+[[nodiscard]] std::string text_of(const glm::vec3& v);
+/// The first digits, as many as tell doubles apart or as asked for.
+[[nodiscard]] std::string text_of(const Exact& value, int digits = 17);
+
+/// One line each, or as many as there are fields; without hexadecimal digits.
+[[nodiscard]] std::string text_of(const Light& light);
+[[nodiscard]] std::string text_of(const gen::View& view);
+[[nodiscard]] std::string text_of(const CutConfig& cut);
+[[nodiscard]] std::string text_of(const Case& on);
+
+} // namespace lightcuts::oracle
