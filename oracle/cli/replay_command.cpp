@@ -47,9 +47,9 @@ std::string text_for(const oracle::Subject& subject, const oracle::SavedCountere
   std::string text = explain(subject, c);
   const auto others = others_broken(tally, c.property);
   if (!others.empty()) text += fmt::format("\nalso broken: {}\n", fmt::join(others, ", "));
-  const bool fails = tally[c.property].violations > 0;
-  return text + fmt::format("\n{} {} {} this case.\n", info(c.property).name,
-                            fails ? "still does not hold for" : "holds for", subject.name());
+  return text + fmt::format("\n{} {} {} on this case.\n", info(c.property).name,
+                            tally[c.property].violations > 0 ? "is still violated by" : "holds for",
+                            subject.name());
 }
 
 int run(const ReplayOptions& options) {

@@ -42,7 +42,7 @@ std::string literal(const Lobe& lobe) {
 
 std::string literal(const CaseView& v) {
   return fmt::format("{{{{.position = {},\n        .normal = {},\n        .to_viewer = {},\n"
-                     "        .material = {{{}, {}}}}},\n       {{{}}}}}",
+                     "        .material = {{{},\n                     {}}}}},\n       {{{}}}}}",
                      literal(v.view.position), literal(v.view.normal), literal(v.view.to_viewer),
                      literal(v.view.material.diffuse), literal(v.view.material.lobe),
                      fmt::join(v.hidden, ", "));

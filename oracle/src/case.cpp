@@ -159,35 +159,77 @@ private:
 
   /// What has to change everywhere at once, or not at all.
   [[nodiscard]] bool together() const {
-    const auto is_white = [](const Light& light) { return light.intensity == glm::vec3(1); };
-    if (!std::all_of(of_.lights.begin(), of_.lights.end(), is_white) && with([](Case& c) {
-          for (Light& light : c.lights) light.intensity = glm::vec3(1);
-        }))
-      return true;
-    const bool at_origin = of_.views.empty() || of_.views.front().view.position == glm::vec3(0);
-    if (!at_origin && moved([](Case& c) { shift(c, -c.views.front().view.position); })) return true;
-    const int exponent = largest_exponent();
-    return exponent != 0 && moved([exponent](Case& c) { scale(c, -exponent); });
+    return other([](Case& c) {
+             for (CaseView& v : c.views)
+               if (v.view.material.is_glossy() || !is_zeros_and_ones(v.view.material.diffuse))
+                 v.view.material = {glm::vec3(1), {}};
+           }) ||
+           other([](Case& c) {
+             for (Light& l : c.lights)
+               if (is_somewhere(l)) l = {.position = l.position, .intensity = l.intensity};
+           }) ||
+           other([](Case& c) {
+             for (Light& light : c.lights)
+               if (!is_zeros_and_ones(light.intensity)) light.intensity = glm::vec3(1);
+           }) ||
+           other([](Case& c) {
+             if (!c.views.empty() && c.triangles.empty()) shift(c, -c.views.front().view.position);
+           }) ||
+           other([exponent = largest_exponent()](Case& c) { scale(c, -exponent); }) || rounded();
   }
 
-  /// with(), where nothing overflows.
+  /// What single floats shrink to; turning that into white again would never end.
+  static bool is_zeros_and_ones(const glm::vec3& v) {
+    const auto is = [](float value) { return value == 0 || value == 1; };
+    return is(v.x) && is(v.y) && is(v.z);
+  }
+
+  /// All positions with a few bits only.
+  [[nodiscard]] bool rounded() const {
+    for (const int bits : {2, 4, 12})
+      if (other([bits](Case& c) {
+            for_positions(c, [bits](glm::vec3& v) {
+              for (int i = 0; i < 3; ++i) v[i] = with_bits(v[i], bits);
+            });
+          }))
+        return true;
+    return false;
+  }
+
+  static float with_bits(float value, int bits) {
+    int exponent = 0;
+    const float mantissa = std::frexp(value, &exponent);
+    return std::ldexp(std::trunc(std::ldexp(mantissa, bits)), exponent - bits);
+  }
+
+  /// with(), where that is another case.
   template <class Change>
-  bool moved(Change&& change) const {
+  bool other(Change&& change) const {
     Case c = of_;
     change(c);
-    const auto is_finite = [](const glm::vec3& v) {
+    return !(c == of_) && is_finite(c) && visitor_(c);
+  }
+
+  static bool is_finite(const Case& c) {
+    const auto finite = [](const glm::vec3& v) {
       return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
     };
-    return std::all_of(
-               c.lights.begin(), c.lights.end(),
-               [&](const Light& l) { return is_finite(l.position) && is_finite(l.intensity); }) &&
-           std::isfinite(c.min_distance) && visitor_(c);
+    return std::isfinite(c.min_distance) &&
+           std::all_of(c.lights.begin(), c.lights.end(), [&](const Light& light) {
+             return finite(light.position) && finite(light.intensity);
+           });
+  }
+
+  /// Of views, and of lights that are somewhere.
+  template <class F>
+  static void for_positions(Case& c, F&& f) {
+    for (CaseView& v : c.views) f(v.view.position);
+    for (Light& light : c.lights)
+      if (is_somewhere(light)) f(light.position);
   }
 
   static void shift(Case& c, const glm::vec3 by) {
-    for (CaseView& v : c.views) v.view.position += by;
-    for (Light& light : c.lights)
-      if (is_somewhere(light)) light.position += by;
+    for_positions(c, [&by](glm::vec3& v) { v += by; });
   }
 
   /// Lengths by 2^exponent, and intensities so that what arrives stays the same.
@@ -195,25 +237,24 @@ private:
     const auto scaled = [exponent](glm::vec3& v, int times) {
       for (int i = 0; i < 3; ++i) v[i] = std::ldexp(v[i], times * exponent);
     };
-    for (CaseView& v : c.views) scaled(v.view.position, 1);
+    for_positions(c, [&](glm::vec3& v) { scaled(v, 1); });
     for (Light& light : c.lights)
-      if (is_somewhere(light)) {
-        scaled(light.position, 1);
-        scaled(light.intensity, 2);
-      }
+      if (is_somewhere(light)) scaled(light.intensity, 2);
     c.min_distance = std::ldexp(c.min_distance, exponent);
   }
 
-  /// Of the positions; 0 if all are 0, or there is a picture, whose camera stays.
+  /// Of the positions; 0 if all are 0, or about 1 already, or there is a picture, whose camera
+  /// stays.
   [[nodiscard]] int largest_exponent() const {
     float largest = 0;
-    const auto look_at = [&largest](const glm::vec3& v) {
+    Case copy = of_;
+    for_positions(copy, [&largest](const glm::vec3& v) {
       for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(v[i]));
-    };
-    for (const CaseView& v : of_.views) look_at(v.view.position);
-    for (const Light& light : of_.lights)
-      if (is_somewhere(light)) look_at(light.position);
-    return largest == 0 || !of_.triangles.empty() ? 0 : std::ilogb(largest);
+    });
+    if (largest == 0 || !of_.triangles.empty()) return 0;
+    const int exponent = std::ilogb(largest);
+    // What shrinks a float in [1, 2) may halve it: scaling that back would never end.
+    return std::abs(exponent) <= 1 ? 0 : exponent;
   }
 
   [[nodiscard]] bool views() const {

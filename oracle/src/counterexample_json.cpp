@@ -119,9 +119,11 @@ Json json_of(const Case& c) {
   json["views"] = list_of(c.views);
   json["cut"] = json_of(c.cut);
   json["seed"] = c.seed;
-  json["triangles"] = list_of(c.triangles);
-  json["camera"] = json_of(c.camera);
-  json["image_size"] = {c.image_size.x, c.image_size.y};
+  const Case usual;
+  if (!c.triangles.empty()) json["triangles"] = list_of(c.triangles);
+  if (!c.triangles.empty() || c.camera != usual.camera) json["camera"] = json_of(c.camera);
+  if (!c.triangles.empty() || c.image_size != usual.image_size)
+    json["image_size"] = {c.image_size.x, c.image_size.y};
   return json;
 }
 

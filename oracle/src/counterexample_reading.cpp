@@ -195,9 +195,10 @@ Case case_of(const JsonElement& element) {
       element["views"], [&](const JsonElement& view) { return view_of(view, c.lights.size()); });
   c.cut = cut_of(element["cut"]);
   c.seed = element["seed"].whole_number(0, std::numeric_limits<std::uint64_t>::max());
-  c.triangles = list_of<CaseTriangle>(element["triangles"], triangle_of);
-  c.camera = camera_of(element["camera"]);
-  c.image_size = image_size_of(element["image_size"]);
+  if (element.has("triangles"))
+    c.triangles = list_of<CaseTriangle>(element["triangles"], triangle_of);
+  if (element.has("camera")) c.camera = camera_of(element["camera"]);
+  if (element.has("image_size")) c.image_size = image_size_of(element["image_size"]);
   return c;
 }
 

@@ -44,24 +44,38 @@ Exact falloff(const Light& light, const radiometry::Way<Exact>& way, float min_d
   return 1 / (way.distance2 < least2 ? least2 : way.distance2);
 }
 
-std::string line(const std::string& name, const Exact& value, const char* note = "") {
-  return fmt::format("    {:<19}{:<25} {}\n", name, oracle::text_of(value), note);
+std::string exact_line(const std::string& name, const Exact& value, const char* note = "") {
+  return line("  " + name, oracle::text_of(value), note);
+}
+
+/// Where it shines.
+std::string axis_text(const Light& light) {
+  std::string text;
+  if ((only(light.kind) & kinds_with_axis) != 0)
+    text += line("  axis", oracle::text_of(light.axis));
+  if (light.kind == LightKind::spot)
+    text += line("  cosines of the rims",
+                 fmt::format("{:.9g} and {:.9g}", light.cos_inner, light.cos_outer));
+  return text;
 }
 
 std::string light_text(const PointCase& at, std::uint32_t index) {
   const Light& light = at.lights()[index];
   const float min_distance = at.lights().min_distance();
   const radiometry::Way<Exact> way(at.point, light);
-  std::string text = fmt::format("  light {}{}: {}\n", index,
-                                 at.visible[index] == 0 ? " (hidden)" : "", oracle::text_of(light));
-  text += fmt::format("    {:<19}{}\n", "q", text_of(way.q));
-  text += line("|q|^2", way.distance2) + line("|q|", way.distance);
+  std::string text = fmt::format("  light {}{}: {} {} {}, intensity {}\n", index,
+                                 at.visible[index] == 0 ? " (hidden)" : "", name_of(light.kind),
+                                 light.kind == LightKind::directional ? "towards" : "at",
+                                 oracle::text_of(light.position), oracle::text_of(light.intensity));
+  text += axis_text(light);
+  text += line("  q", text_of(way.q));
+  text += exact_line("|q|^2", way.distance2) + exact_line("|q|", way.distance);
   if (way.n_dot_l <= 0)
-    return text + line("n.l", way.n_dot_l, "not above the horizon: contributes 0");
-  text += line("n.l", way.n_dot_l);
-  text += line("falloff", falloff(light, way, min_distance),
-               light.kind == LightKind::directional ? "" : "1/max(|q|^2, least distance^2)");
-  text += line("emission", radiometry::emission<Exact>(light, at.point, way.distance));
+    return text + exact_line("n.l", way.n_dot_l, "not above the horizon: contributes 0");
+  text += exact_line("n.l", way.n_dot_l);
+  text += exact_line("falloff", falloff(light, way, min_distance),
+                     light.kind == LightKind::directional ? "" : "1/max(|q|^2, least distance^2)");
+  text += exact_line("emission", radiometry::emission<Exact>(light, at.point, way.distance));
   const ExactVector f = brdf(at.point, way);
   text += row_of("  BRDF", [&](int c) { return oracle::text_of(f[std::size_t(c)]); });
   std::array<Exact, 3> sent;
@@ -139,8 +153,8 @@ std::string box_text(const Box& box) {
                      box.lo.y, box.hi.y, box.lo.z, box.hi.z);
 }
 
-std::string line(const char* name, double value, const char* note = "") {
-  return fmt::format("  {:<21}{:<25} {}\n", name, fmt::format("{:.17g}", value), note);
+std::string number_line(const char* name, double value, const char* note = "") {
+  return line(name, fmt::format("{:.17g}", value), note);
 }
 
 std::string box_and_suprema(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
@@ -152,12 +166,12 @@ std::string box_and_suprema(const LightTree& tree, std::uint32_t node, const Sha
   const glm::vec3 from = viewed_from(n.kind(), point.position());
   std::string text = fmt::format("the box of {} {} light{}, and suprema over it\n", n.light_count,
                                  name_of(n.kind()), n.light_count == 1 ? "" : "s");
-  text += fmt::format("  {:<21}{}\n", "box", box_text(n.box));
+  text += line("box", box_text(n.box));
   if (n.kind() != LightKind::directional)
-    text += line("min |q|", std::sqrt(min_distance2(from, n.box)),
-                 min_distance2(from, n.box) == 0 ? "the point is in the box" : "");
-  text += line("max n.l falloff", sup.reach, "both factors in one");
-  text += line("max falloff", sup.falloff) + line("max emission", sup.emission);
+    text += number_line("min |q|", std::sqrt(min_distance2(from, n.box)),
+                        min_distance2(from, n.box) == 0 ? "the point is in the box" : "");
+  text += number_line("max n.l falloff", sup.reach, "both factors in one");
+  text += number_line("max falloff", sup.falloff) + number_line("max emission", sup.emission);
   if (point.material().is_glossy()) text += number_row("max lobe n.l falloff", sup.shine);
   return text + number_row("intensity", n.intensity);
 }
@@ -292,8 +306,9 @@ std::string cluster_text(const Judged& judged, Property property, const PointCas
   text += channel_head() + truth_rows(judged, property, at, node, bounds);
   text += number_row("the library's bound", cluster.bound(at.point));
   text += number_row("the subject's bound", bounds[node]);
-  text += row_of("truth / its bound", [&](int c) {
-    return fmt::format("{:.9g}", ratio_of(at.truth.open(node)[std::size_t(c)], bounds[node][c]));
+  text += row_of("truth / its bound", [&](int c) -> std::string {
+    const double ratio = ratio_of(at.truth.open(node)[std::size_t(c)], bounds[node][c]);
+    return ratio == std::numeric_limits<double>::max() ? "inf" : fmt::format("{:.9g}", ratio);
   });
   return text + "\n" + parting(cluster, sides, property, at, node);
 }

@@ -40,6 +40,8 @@ struct KeptCut {
   }
 };
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
 /// The largest bound / max(threshold total, black level) of the channels.
 double share(const glm::vec3& bound, const KeptCut& cut) {
   const glm::dvec3 total = cut.total();
@@ -47,7 +49,7 @@ double share(const glm::vec3& bound, const KeptCut& cut) {
   for (int c = 0; c < 3; ++c)
     worst = std::max(worst, ratio_of(bound[c], std::max<double>(cut.config.threshold * total[c],
                                                                 cut.config.black_level)));
-  return worst;
+  return worst == std::numeric_limits<double>::max() ? infinite : worst;
 }
 
 /// A line per cluster, from the root down to the cut.

@@ -22,9 +22,17 @@ bool fails(Property property, Check&& check) {
   return tally[property].violations > 0;
 }
 
+/// A name, a value and a remark, one below the other's.
+inline std::string line(const std::string& name, const std::string& value,
+                        const std::string& note = "") {
+  std::string text = fmt::format("  {:<23}{:<25} {}", name, value, note);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + "\n";
+}
+
 /// A name, and a text per channel.
 inline std::string row(const std::string& name, const std::array<std::string, 3>& channels) {
-  return fmt::format("  {:<21}{:<25} {:<25} {}\n", name, channels[0], channels[1], channels[2]);
+  return line(name, channels[0], fmt::format("{:<25} {}", channels[1], channels[2]));
 }
 
 template <class ChannelText>

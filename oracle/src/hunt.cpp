@@ -39,7 +39,7 @@ HuntResult hunt(const Subject& subject, const HuntConfig& config) {
 std::optional<std::string> failure_of(const Subject& subject, Property property, const Case& on) {
   Tally tally;
   try {
-    check_case(subject, on, 0, tally);
+    check_case_for(property, subject, on, tally);
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -118,7 +118,8 @@ std::vector<float> simpler(const float& value) {
 
 std::vector<glm::vec3> simpler_directions(const glm::vec3& v) {
   std::vector<glm::vec3> list;
-  for (const glm::vec3& axis : {glm::vec3(0, 0, 1), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0)}) {
+  for (const glm::vec3& axis : {glm::vec3(0, 0, 1), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0),
+                                glm::vec3(0, 0, -1), glm::vec3(0, -1, 0), glm::vec3(-1, 0, 0)}) {
     if (v == axis) break;
     list.push_back(axis);
   }

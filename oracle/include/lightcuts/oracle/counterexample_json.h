@@ -18,7 +18,7 @@ struct SavedCounterexample {
 
 /// JSON of schema lightcuts-oracle/counterexample/1. Each float is a hexadecimal string, "0x1.8p+1"
 /// for 3, exact; beside it, as KEY_decimal, are decimals for readers. What a light's kind does not
-/// use is left out.
+/// use is left out, and so are triangles, camera and image where there are none.
 [[nodiscard]] std::string counterexample_json(const SavedCounterexample& saved);
 
 /// Reads that; decimals beside are ignored, and a number will do for a hexadecimal string. Throws
