@@ -18,8 +18,9 @@ std::string counted(std::size_t count, const char* what) {
 CounterexampleFile::CounterexampleFile(const oracle::Subject& subject,
                                        const std::string& subject_name,
                                        const oracle::Counterexample& found,
-                                       const std::filesystem::path& folder)
-    : file_(folder / fmt::format("counterexample-{}.json", info(found.property).name)),
+                                       const std::filesystem::path& folder, const std::string& name)
+    : file_(folder /
+            fmt::format("counterexample-{}.json", name.empty() ? info(found.property).name : name)),
       shrunk_(shrunk(subject, found)) {
   OutputFolder output(folder);
   write_file_atomically(output.stage(file_.filename().string()),

@@ -9,12 +9,14 @@
 
 namespace lightcuts::cli {
 
-/// Shrinks the counterexample and writes it to DIR/counterexample-PROPERTY.json.
+/// Shrinks the counterexample and writes it to DIR/counterexample-NAME.json.
 class CounterexampleFile {
 public:
-  /// subject_name: as files remember it. Throws InputError where the folder cannot be written.
+  /// subject_name: as files remember it; name: by default that of the property. Throws InputError
+  /// where the folder cannot be written.
   CounterexampleFile(const oracle::Subject& subject, const std::string& subject_name,
-                     const oracle::Counterexample& found, const std::filesystem::path& folder);
+                     const oracle::Counterexample& found, const std::filesystem::path& folder,
+                     const std::string& name = {});
 
   /// What is wrong, on how little, and the command that replays it.
   [[nodiscard]] std::string text() const;

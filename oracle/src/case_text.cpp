@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "case_text.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "case_names.h"
@@ -39,7 +41,29 @@ std::string text_of(const glm::vec3& v) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z);
 }
 
-std::string text_of(const Exact& value, int digits) { return value.str(digits); }
+std::string wrapped(const std::string& text) {
+  std::string result;
+  std::size_t column = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    if (column > 0 && column + 1 + (end - at) > 100) {
+      result += "\n  ";
+      column = 2;
+    } else if (at > 0) {
+      result += " ";
+      ++column;
+    }
+    result += text.substr(at, end - at);
+    column += end - at;
+    at = end + 1;
+  }
+  return result + "\n";
+}
+
+std::string text_of(const Exact& value, int digits) {
+  std::string text = value.str(digits);
+  return text.size() <= 25 ? text : value.str(14);
+}
 
 std::string text_of(const Light& light) {
   const bool directional = light.kind == LightKind::directional;
@@ -67,7 +91,7 @@ std::string text_of(const CutConfig& cut) {
 
 std::string text_of(const Case& on) {
   std::string text = lines_of(on.lights, [](std::size_t i, const Light& light) {
-    return fmt::format("light {}: {}\n", i, text_of(light));
+    return wrapped(fmt::format("light {}: {}", i, text_of(light)));
   });
   if (on.min_distance > 0) text += fmt::format("least distance {:.9g}\n", on.min_distance);
   text += lines_of(on.views, [](std::size_t i, const CaseView& v) {
@@ -83,14 +107,14 @@ std::string text_of(const Case& on) {
     return view;
   });
   text += lines_of(on.triangles, [](std::size_t i, const CaseTriangle& t) {
-    return fmt::format("triangle {}, mesh {}: {} {} {}\n", i, t.mesh, text_of(t.corners[0]),
-                       text_of(t.corners[1]), text_of(t.corners[2]));
+    return wrapped(fmt::format("triangle {}, mesh {}: {} {} {}", i, t.mesh, text_of(t.corners[0]),
+                               text_of(t.corners[1]), text_of(t.corners[2])));
   });
   if (!on.triangles.empty())
-    text +=
-        fmt::format("camera at {}, looking at {}, up {}, {:.9g} degrees; {} x {} pixels\n",
+    text += wrapped(
+        fmt::format("camera at {}, looking at {}, up {}, {:.9g} degrees; {} x {} pixels",
                     text_of(on.camera.position), text_of(on.camera.target), text_of(on.camera.up),
-                    on.camera.vertical_fov, on.image_size.x, on.image_size.y);
+                    on.camera.vertical_fov, on.image_size.x, on.image_size.y));
   return text + fmt::format("cut: {}; seed {}\n", text_of(on.cut), on.seed);
 }
 

@@ -10,8 +10,12 @@ namespace lightcuts::oracle {
 
 /// "(0, 0.5, 1)", with digits enough to tell floats apart.
 [[nodiscard]] std::string text_of(const glm::vec3& v);
-/// The first digits, as many as tell doubles apart or as asked for.
+/// The first digits, as many as tell doubles apart or as asked for; 14 beside a long exponent.
 [[nodiscard]] std::string text_of(const Exact& value, int digits = 17);
+
+/// The text and a line's end, broken into lines of at most 100 columns, if no word is longer; all
+/// but the first are indented.
+[[nodiscard]] std::string wrapped(const std::string& text);
 
 /// One line each, or as many as there are fields; without hexadecimal digits.
 [[nodiscard]] std::string text_of(const Light& light);

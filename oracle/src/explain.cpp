@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/oracle/explain.h>
 
-#include <algorithm>
-
 #include "each_view.h"
 #include "explain_parts.h"
 
@@ -13,30 +11,11 @@ std::string counted(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// In lines of at most 100 columns, if words are no longer.
-std::string wrapped(const std::string& text) {
-  std::string result;
-  std::size_t column = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    if (column > 0 && column + 1 + (end - at) > 100) {
-      result += "\n  ";
-      column = 2;
-    } else if (at > 0) {
-      result += " ";
-      ++column;
-    }
-    result += text.substr(at, end - at);
-    column += end - at;
-    at = end + 1;
-  }
-  return result + "\n";
-}
-
 std::string head(const Subject& subject, const Counterexample& c) {
   const PropertyInfo& property = info(c.property);
-  return fmt::format("{}\n  {}\n  {}\nsubject {}; {}, {}, {}; tree of seed {}\n", property.name,
-                     property.statement, property.formula, subject.name(),
+  return fmt::format("{}\n", property.name) + wrapped(fmt::format("  {}", property.statement)) +
+         wrapped(fmt::format("  {}", property.formula)) +
+         fmt::format("subject {}; {}, {}, {}; tree of seed {}\n", subject.name(),
                      counted(c.on.lights.size(), "light"), counted(c.on.views.size(), "view"),
                      counted(c.on.triangles.size(), "triangle"), c.on.seed);
 }

@@ -54,7 +54,7 @@ std::string axis_text(const Light& light) {
   if ((only(light.kind) & kinds_with_axis) != 0)
     text += line("  axis", oracle::text_of(light.axis));
   if (light.kind == LightKind::spot)
-    text += line("  cosines of the rims",
+    text += line("  cosines of rims",
                  fmt::format("{:.9g} and {:.9g}", light.cos_inner, light.cos_outer));
   return text;
 }
@@ -63,11 +63,11 @@ std::string light_text(const PointCase& at, std::uint32_t index) {
   const Light& light = at.lights()[index];
   const float min_distance = at.lights().min_distance();
   const radiometry::Way<Exact> way(at.point, light);
-  std::string text = fmt::format("  light {}{}: {} {} {}, intensity {}\n", index,
-                                 at.visible[index] == 0 ? " (hidden)" : "", name_of(light.kind),
-                                 light.kind == LightKind::directional ? "towards" : "at",
-                                 oracle::text_of(light.position), oracle::text_of(light.intensity));
-  text += axis_text(light);
+  std::string text =
+      fmt::format("  light {}{}: {} {} {}\n", index, at.visible[index] == 0 ? " (hidden)" : "",
+                  name_of(light.kind), light.kind == LightKind::directional ? "towards" : "at",
+                  oracle::text_of(light.position));
+  text += line("  intensity", oracle::text_of(light.intensity)) + axis_text(light);
   text += line("  q", text_of(way.q));
   text += exact_line("|q|^2", way.distance2) + exact_line("|q|", way.distance);
   if (way.n_dot_l <= 0)
@@ -148,11 +148,6 @@ struct Suprema {
   }
 };
 
-std::string box_text(const Box& box) {
-  return fmt::format("[{:.9g}, {:.9g}] x [{:.9g}, {:.9g}] x [{:.9g}, {:.9g}]", box.lo.x, box.hi.x,
-                     box.lo.y, box.hi.y, box.lo.z, box.hi.z);
-}
-
 std::string number_line(const char* name, double value, const char* note = "") {
   return line(name, fmt::format("{:.17g}", value), note);
 }
@@ -166,7 +161,7 @@ std::string box_and_suprema(const LightTree& tree, std::uint32_t node, const Sha
   const glm::vec3 from = viewed_from(n.kind(), point.position());
   std::string text = fmt::format("the box of {} {} light{}, and suprema over it\n", n.light_count,
                                  name_of(n.kind()), n.light_count == 1 ? "" : "s");
-  text += line("box", box_text(n.box));
+  text += line("box from", oracle::text_of(n.box.lo)) + line("to", oracle::text_of(n.box.hi));
   if (n.kind() != LightKind::directional)
     text += number_line("min |q|", std::sqrt(min_distance2(from, n.box)),
                         min_distance2(from, n.box) == 0 ? "the point is in the box" : "");
@@ -259,9 +254,9 @@ std::string left_for_reach(const LibraryCluster& cluster, const PointCase& at, s
     }
   }
   if (others == 0 || !std::isfinite(bound)) return {};
-  return fmt::format("  bound / (intensity max emission diffuse/pi) leaves {:.9g} for n.l falloff; "
-                     "light {} has {}\n",
-                     bound / others, light, oracle::text_of(most, 9));
+  return wrapped(fmt::format("  bound / (intensity max emission diffuse/pi) leaves {:.9g} for n.l "
+                             "falloff; light {} has {}",
+                             bound / others, light, oracle::text_of(most, 9)));
 }
 
 std::string parting(const LibraryCluster& cluster, const Sides& sides, Property property,
@@ -272,8 +267,8 @@ std::string parting(const LibraryCluster& cluster, const Sides& sides, Property 
     const std::string where = fmt::format("they part here: channel {}, ", "rgb"[c]);
     if (property == Property::results_are_finite || property == Property::bound_is_finite) {
       if (bound >= 0 && std::isfinite(bound)) continue;
-      return where + fmt::format("{} is {}, the truth {}\n", sides.right_name, bound,
-                                 oracle::text_of(sides.left[k], 9));
+      return wrapped(where + fmt::format("{} is {}, the truth {}", sides.right_name, bound,
+                                         oracle::text_of(sides.left[k], 9)));
     }
     if (bound >= 0 && (!std::isfinite(bound) || Exact(bound) >= sides.left[k])) continue;
     std::string text =
@@ -281,7 +276,7 @@ std::string parting(const LibraryCluster& cluster, const Sides& sides, Property 
                             sides.right_name, bound);
     if (bound > 0)
       text += fmt::format(", {} times", oracle::text_of(Exact(sides.left[k] / Exact(bound)), 9));
-    text += "\n";
+    text = wrapped(text);
     if (property == Property::bound_dominates_contribution)
       text += left_for_reach(cluster, at, node, c, bound);
     return text;

@@ -174,18 +174,17 @@ std::string worst_cluster(const Judged& judged, const KeptCut& cut, const PointC
     worst = r;
     node = c.node;
   }
-  return fmt::format("the bound of node {} is {:.6g} times what is allowed, and yet refinement "
-                     "ended\n  with {} clusters of at most {}\n",
-                     node, worst, cut.clusters.size(), cut.config.max_size);
+  return wrapped(fmt::format("they part here: the bound of node {} is {:.6g} times what is "
+                             "allowed, and yet refinement ended with {} clusters of at most {}",
+                             node, worst, cut.clusters.size(), cut.config.max_size));
 }
 
 std::string parting(const Judged& judged, Property property, const KeptCut& cut,
                     const PointCase& at, const std::string& message) {
-  const std::string where = "\nthey part here: ";
   const bool too_large = cut.clusters.size() > cut.config.max_size;
   if (property == Property::cut_obeys_threshold && judged.has(Part::bounds) && !too_large)
-    return where + worst_cluster(judged, cut, at);
-  return where + message + "\n";
+    return "\n" + worst_cluster(judged, cut, at);
+  return "\n" + wrapped("they part here: " + message);
 }
 
 std::string one_cut(const Judged& judged, Property property, const Case& on, const PointCase& at) {
@@ -203,8 +202,8 @@ std::string one_cut(const Judged& judged, Property property, const Case& on, con
 /// The two cuts of check_nesting() or check_darkening().
 std::string two_cuts(const Judged& judged, const KeptCut& one, const KeptCut& other,
                      const PointCase& at, const std::string& message) {
-  return cut_text(judged, one, at) + "\n" + cut_text(judged, other, at) +
-         "\nthey part here: " + message + "\n";
+  return cut_text(judged, one, at) + "\n" + cut_text(judged, other, at) + "\n" +
+         wrapped("they part here: " + message);
 }
 
 } // namespace

@@ -25,14 +25,14 @@ bool fails(Property property, Check&& check) {
 /// A name, a value and a remark, one below the other's.
 inline std::string line(const std::string& name, const std::string& value,
                         const std::string& note = "") {
-  std::string text = fmt::format("  {:<23}{:<25} {}", name, value, note);
+  std::string text = fmt::format("  {:<20} {:<24} {}", name, value, note);
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
 }
 
 /// A name, and a text per channel.
 inline std::string row(const std::string& name, const std::array<std::string, 3>& channels) {
-  return line(name, channels[0], fmt::format("{:<25} {}", channels[1], channels[2]));
+  return line(name, channels[0], fmt::format("{:<24} {}", channels[1], channels[2]));
 }
 
 template <class ChannelText>

@@ -27,14 +27,14 @@ std::string list_text(const std::vector<std::uint32_t>& list, std::uint32_t firs
 
 std::string node_line(const TreeClaim& claim, std::size_t i) {
   const TreeClaim::Node& n = claim.nodes[i];
-  std::string text = fmt::format("node {}:", i);
+  std::string text = fmt::format("  node {}:", i);
   if (n.child_count > 0)
     text += " children" + list_text(claim.children, n.first_child, n.child_count);
   else
     text += " lights" + list_text(claim.lights, n.first_light, n.light_count);
   if (n.representative != TreeClaim::unsaid)
     text += fmt::format(", representative {}", n.representative);
-  return text + "\n";
+  return wrapped(text);
 }
 
 /// The intensities of a node, side by side with what its lights sum to.
@@ -62,17 +62,17 @@ std::string explain_tree(const TreeClaim& claim, const LightSet& lights, Propert
   if (!is_about_trees(property) && reading.topology) return {};
   std::string text;
   for (std::size_t i = 0; i < lights.size() && i < most_nodes; ++i)
-    text += fmt::format("light {}: {}\n", i, text_of(lights[i]));
+    text += wrapped(fmt::format("light {}: {}", i, text_of(lights[i])));
   text += fmt::format("\ntree of {} nodes\n", claim.nodes.size());
   for (std::uint32_t i = 0; i < claim.nodes.size() && i < most_nodes; ++i) {
-    text += "  " + node_line(claim, i);
+    text += node_line(claim, i);
     if (property == Property::tree_conserves_intensity && reading.topology &&
         reading.topology->intensity(i))
       text += intensity_lines(*reading.topology, lights, i);
   }
   if (claim.nodes.size() > most_nodes)
     text += fmt::format("  ... and {} more\n", claim.nodes.size() - most_nodes);
-  return text + fmt::format("\nthey part here: {}\n", defect_of(claim, lights, property));
+  return text + "\n" + wrapped("they part here: " + defect_of(claim, lights, property));
 }
 
 } // namespace lightcuts::oracle

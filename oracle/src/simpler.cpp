@@ -123,6 +123,11 @@ std::vector<glm::vec3> simpler_directions(const glm::vec3& v) {
     if (v == axis) break;
     list.push_back(axis);
   }
+  // Still as good as unit without its tiny components.
+  glm::vec3 grazing = v;
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(v[i]) < 0x1p-12F) grazing[i] = 0;
+  if (grazing != v) list.push_back(grazing);
   return list;
 }
 

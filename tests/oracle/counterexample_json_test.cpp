@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
         Edit{"/case/views/0/hidden", "[1, 1]", "/case/views/0/hidden/1 is 1"},
         Edit{"/case/views/0/material/diffuse/0", "-1", "/case/views/0/material/diffuse/0"},
         Edit{"/case/views/0/material/lobe/exponent", "1e9",
-             "/case/views/0/material/lobe/exponent is 1e+09"},
+             "/case/views/0/material/lobe/exponent is 1000000000"},
         Edit{"/case/views/1/material/lobe/alpha", "0", "/case/views/1/material/lobe/alpha is 0"},
         Edit{"/case/views/2/material/lobe/f0/0", "2", "/case/views/2/material/lobe/f0/0 is 2"},
         Edit{"/case/cut/threshold", "-0.5", "/case/cut/threshold is negative"},
