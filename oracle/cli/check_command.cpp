@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include <limits>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
 #include "common.h"
+#include "counterexample_file.h"
 #include "progress.h"
+#include "property_table.h"
+#include "subjects.h"
 #include <lightcuts/oracle/check.h>
-#include <lightcuts/oracle/library_subject.h>
+#include <lightcuts/oracle/scene_case.h>
 #include <lightcuts/render/needs.h>
 #include <lightcuts/tree_builder.h>
 
@@ -17,87 +20,87 @@ namespace lightcuts::cli {
 namespace {
 
 using oracle::CheckResult;
-using oracle::Property;
-using oracle::PropertyCount;
 
-std::string ratio_text(double ratio) {
-  if (ratio < 0) return "-";
-  if (ratio > 1e6) return "> 10^6";
-  return ratio != 0 && ratio < 1e-4 ? fmt::format("{:.1e}", ratio) : fmt::format("{:.4f}", ratio);
-}
+struct CheckOptions : CommonOptions {
+  std::string subject = "lightcuts";
+};
 
 std::string table_of(const Scene& scene, const CheckResult& result, const CutConfig& cut) {
-  std::string text = fmt::format(
-      "{}: {} lights, {} triangles, threshold {:g} %\n{} (node, point) pairs at {} points, {} "
-      "rays ({} too close to call), {:.1f} s\n\n{:<31}{:>12}{:>12}{:>13}\n",
-      scene.name, scene.lights.size(), scene.mesh.triangles.size(), 100 * double(cut.threshold),
-      result.pairs, result.points, result.rays, result.undecided_rays, result.seconds, "property",
-      "cases", "violations", "worst ratio");
-  for (std::size_t i = 0; i < oracle::property_count; ++i) {
-    const PropertyCount& count = result.tally[Property(i)];
-    text += fmt::format("{:<31}{:>12}{:>12}{:>13}\n", info(Property(i)).name, count.cases,
-                        count.violations, ratio_text(count.worst_ratio));
-    if (count.violations > 0) text += fmt::format("  first: {}\n", count.first_violation);
-  }
-  text += result.tally.violations() == 0
-              ? "\nAll properties hold.\n"
-              : fmt::format("\n{} violations.\n", result.tally.violations());
-  return text;
+  return fmt::format("{}: {} lights, {} triangles, threshold {:g} %\n{} (node, point) pairs at {} "
+                     "points, {} rays ({} too close to call), {:.1f} s\n\n{}",
+                     scene.name, scene.lights.size(), scene.mesh.triangles.size(),
+                     100 * double(cut.threshold), result.pairs, result.points, result.rays,
+                     result.undecided_rays, result.seconds, property_table(result.tally));
 }
 
-std::string json_of(const CommonOptions& options, const CheckResult& result, const CutConfig& cut) {
+std::string json_of(const CheckOptions& options, const CheckResult& result, const CutConfig& cut,
+                    const std::optional<CounterexampleFile>& file) {
   nlohmann::ordered_json json{{"schema", "lightcuts-oracle/check/1"},
                               {"scene", options.scene},
+                              {"subject", full_name(options.subject)},
                               {"seed", options.seed},
                               {"threshold", std::stod(fmt::format("{}", cut.threshold))},
                               {"points", result.points},
                               {"pairs", result.pairs},
                               {"rays", result.rays},
                               {"undecided_rays", result.undecided_rays}};
-  auto& properties = json["properties"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < oracle::property_count; ++i) {
-    const PropertyCount& count = result.tally[Property(i)];
-    nlohmann::ordered_json entry{
-        {"name", info(Property(i)).name}, {"cases", count.cases}, {"violations", count.violations}};
-    entry["worst_ratio"] = nullptr; // where the property is a matter of yes or no
-    if (count.worst_ratio >= 0) entry["worst_ratio"] = count.worst_ratio;
-    if (count.violations > 0) entry["first_violation"] = count.first_violation;
-    properties.push_back(entry);
-  }
+  json["properties"] = properties_json(result.tally);
   json["violations"] = result.tally.violations();
+  json["wasteful"] = result.tally.wasteful();
+  json["counterexample"] = nullptr;
+  if (file) json["counterexample"] = file->json();
   json["seconds"] = result.seconds;
   return text_of(json);
 }
 
-int run(const CommonOptions& options) {
+/// What is to be said of the counterexample, where something is broken.
+std::string counterexample_text(const CheckResult& result,
+                                const std::optional<CounterexampleFile>& file) {
+  if (file) return file->text();
+  const auto properties = oracle::broken(result.tally);
+  if (properties.empty()) return {};
+  return fmt::format("\nNo file for {}: it shows on this scene's geometry and materials only, not "
+                     "in lights and\none point; the same command finds it again.\n",
+                     info(properties.front()).name);
+}
+
+CheckResult checked(const CheckOptions& options, const SceneView& view,
+                    const oracle::Subject& subject, oracle::CheckConfig config) {
+  Progress progress("check " + options.scene);
+  config.progress = progress.callback();
+  return check(view, subject, config);
+}
+
+int run(const CheckOptions& options) {
+  const std::unique_ptr<oracle::Subject> subject = subject_named(options.subject);
   JsonFolder folder(options);
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
-  const LightTree tree = build(scene.lights, {options.seed});
   oracle::CheckConfig config = check_config_for(options, view);
-  config.cut.black_level = find_needs(view, tree, config.cut).black_level;
-  CheckResult result;
-  {
-    Progress progress("check " + options.scene);
-    config.progress = progress.callback();
-    result = check(view, *oracle::library_subject(), config);
-  }
-  const std::string json = json_of(options, result, config.cut);
+  config.cut.black_level =
+      find_needs(view, build(scene.lights, {options.seed}), config.cut).black_level;
+  const CheckResult result = checked(options, view, *subject, config);
+  std::optional<CounterexampleFile> file;
+  if (const auto found = counterexample_of(*subject, view, config, result))
+    file.emplace(*subject, full_name(options.subject), *found, output_folder_for(options));
+  const std::string json = json_of(options, result, config.cut, file);
   folder.write("check.json", json);
-  print_results(options, table_of(scene, result, config.cut), json);
-  return result.tally.violations() == 0 ? all_holds : violated;
+  print_results(options, table_of(scene, result, config.cut) + counterexample_text(result, file),
+                json);
+  return exit_code_for(result.tally, *subject);
 }
 
 } // namespace
 
 void add_check_command(CLI::App& app, Action& chosen) {
-  auto options = std::make_shared<CommonOptions>();
+  auto options = std::make_shared<CheckOptions>();
   options->scene = "desk";
   CLI::App* command = app.add_subcommand("check", "Check every property on a scene.");
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
   add_json_folder_option(*command, *options);
   add_cases_option(*command, *options);
+  add_subject_option(*command, options->subject);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

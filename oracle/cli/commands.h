@@ -15,6 +15,7 @@ void add_check_command(CLI::App& app, Action& chosen);
 void add_info_command(CLI::App& app, Action& chosen);
 void add_mutants_command(CLI::App& app, Action& chosen);
 void add_render_command(CLI::App& app, Action& chosen);
+void add_replay_command(CLI::App& app, Action& chosen);
 void add_report_command(CLI::App& app, Action& chosen);
 void add_scenes_command(CLI::App& app, Action& chosen);
 void add_stress_command(CLI::App& app, Action& chosen);

@@ -1,50 +1,106 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
-#include <sstream>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "commands.h"
 #include "common.h"
+#include "count.h"
+#include "counterexample_file.h"
+#include "progress.h"
+#include "property_table.h"
+#include "subjects.h"
 #include <lightcuts/oracle/hunt.h>
-#include <lightcuts/oracle/library_subject.h>
-#include <lightcuts/oracle/mutants.h>
 
 namespace lightcuts::cli {
 namespace {
-int run(const CommonOptions& options, const std::string& name) {
-  std::unique_ptr<oracle::Subject> s = oracle::library_subject();
-  if (!name.empty()) s = oracle::mutant_named(name)->subject();
-  oracle::HuntConfig c;
-  c.seed = options.seed;
-  c.cases = std::stoull(options.cases);
-  auto r = oracle::hunt(*s, c);
-  fmt::print("{} cases {:.2f} s\n", r.cases, r.seconds);
-  for (std::size_t i = 0; i < oracle::property_count; ++i)
-    fmt::print("{:<32} {:>10} {:>6} {}\n", info(oracle::Property(i)).name,
-               r.tally[oracle::Property(i)].cases, r.tally[oracle::Property(i)].violations,
-               r.tally[oracle::Property(i)].worst_ratio);
-  if (r.found) {
-    fmt::print("{} case {}: {}\n", info(r.found->property).name, r.found->index, r.found->message);
-    auto m = shrunk(*s, *r.found);
-    std::ostringstream o;
-    o << gen::Scene{m.on.lights, m.on.views[0].view, m.on.min_distance};
-    fmt::print("{}\n", o.str());
-    fmt::print("lights {} views {} triangles {} : {}\n", m.on.lights.size(), m.on.views.size(),
-               m.on.triangles.size(), m.message);
-  }
-  return 0;
+
+struct StressOptions : CommonOptions {
+  std::string subject = "lightcuts";
+};
+
+oracle::HuntResult hunted(const StressOptions& options, const oracle::Subject& subject) {
+  oracle::HuntConfig config;
+  config.seed = options.seed;
+  config.cases = *parse_count(options.cases);
+  config.waste = is_library(subject);
+  Progress progress("stress " + options.subject);
+  config.progress = progress.callback();
+  return hunt(subject, config);
 }
+
+/// What was found; else the first waste, for which nobody but the library was stopped.
+std::optional<oracle::Counterexample> counterexample_of(const oracle::HuntResult& result,
+                                                        std::uint64_t seed) {
+  if (result.found) return result.found;
+  const auto properties = oracle::broken(result.tally);
+  if (properties.empty()) return std::nullopt;
+  const oracle::PropertyCount& count = result.tally[properties.front()];
+  return oracle::Counterexample{properties.front(), oracle::random_case(seed, count.first_place),
+                                count.first_violation, count.first_place};
+}
+
+std::string stress_command(const StressOptions& options, std::uint64_t cases) {
+  return fmt::format("lightcuts-oracle stress --subject {} --seed {} --cases {}",
+                     quoted(full_name(options.subject)), options.seed, cases);
+}
+
+std::string table_of(const StressOptions& options, const oracle::HuntResult& result,
+                     const std::optional<CounterexampleFile>& file) {
+  std::string text =
+      fmt::format("{}: {} random cases of seed {}, {:.1f} s\n\n{}", full_name(options.subject),
+                  result.cases, options.seed, result.seconds, property_table(result.tally));
+  if (file)
+    text +=
+        file->text() + fmt::format("find it again:\n  {}\n", stress_command(options, result.cases));
+  return text;
+}
+
+std::string json_of(const StressOptions& options, const oracle::HuntResult& result,
+                    const std::optional<CounterexampleFile>& file) {
+  nlohmann::ordered_json json{{"schema", "lightcuts-oracle/stress/1"},
+                              {"subject", full_name(options.subject)},
+                              {"seed", options.seed},
+                              {"cases", result.cases}};
+  json["properties"] = properties_json(result.tally);
+  json["violations"] = result.tally.violations();
+  json["wasteful"] = result.tally.wasteful();
+  json["counterexample"] = nullptr;
+  if (file) json["counterexample"] = file->json();
+  json["seconds"] = result.seconds;
+  return text_of(json);
+}
+
+int run(const StressOptions& options) {
+  require_writable_json(options);
+  const std::unique_ptr<oracle::Subject> subject = subject_named(options.subject);
+  const oracle::HuntResult result = hunted(options, *subject);
+  std::optional<CounterexampleFile> file;
+  if (const auto found = counterexample_of(result, options.seed))
+    file.emplace(*subject, full_name(options.subject), *found, options.out);
+  print_results(options, table_of(options, result, file), json_of(options, result, file));
+  return exit_code_for(result.tally, *subject);
+}
+
 } // namespace
+
 void add_stress_command(CLI::App& app, Action& chosen) {
-  auto options = std::make_shared<CommonOptions>();
-  auto name = std::make_shared<std::string>();
+  auto options = std::make_shared<StressOptions>();
   options->cases = "10000";
-  CLI::App* command = app.add_subcommand("stress", "Check every property on random cases.");
-  add_common_options(*command, *options);
-  add_cases_option(*command, *options);
-  command->add_option("--mutant", *name);
-  command->callback(
-      [options, name, &chosen] { chosen = [options, name] { return run(*options, *name); }; });
+  options->out = "out/stress";
+  CLI::App* command = app.add_subcommand(
+      "stress", "Check every property on random cases of what this field finds hard, until one "
+                "does not hold; that one is shrunk and saved.");
+  command->add_option("--cases", options->cases, "random cases at most, such as 1000000 or 1e6")
+      ->check(check_count)
+      ->capture_default_str();
+  add_seed_option(*command, *options);
+  add_subject_option(*command, options->subject);
+  command->add_option("--out", options->out, "folder for counterexample-PROPERTY.json")
+      ->capture_default_str();
+  add_json_option(*command, *options);
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
+
 } // namespace lightcuts::cli

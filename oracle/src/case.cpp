@@ -2,6 +2,7 @@
 #include <lightcuts/oracle/case.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -110,19 +111,6 @@ Case lottery(Dice& dice) {
   return c;
 }
 
-template <class T>
-void append_without_chunks(std::vector<Case>& list, const Case& of, std::vector<T> Case::*part,
-                           std::size_t least) {
-  const std::size_t count = (of.*part).size();
-  for (std::size_t chunk = count / 2; chunk > 0; chunk /= 2)
-    for (std::size_t first = 0; first + chunk <= count && count - chunk >= least; first += chunk) {
-      list.push_back(of);
-      auto& values = list.back().*part;
-      const auto begin = values.begin() + std::ptrdiff_t(first);
-      values.erase(begin, begin + std::ptrdiff_t(chunk));
-    }
-}
-
 /// Indices of lights move up where lights before them are gone.
 std::vector<std::uint32_t> without(const std::vector<std::uint32_t>& indices, std::uint32_t first,
                                    std::uint32_t count) {
@@ -132,47 +120,221 @@ std::vector<std::uint32_t> without(const std::vector<std::uint32_t>& indices, st
   return left;
 }
 
-void append_with_fewer_lights(std::vector<Case>& list, const Case& of) {
-  const auto count = std::uint32_t(of.lights.size());
-  for (std::uint32_t chunk = std::max(count / 2, 1U); chunk > 0 && count > 1; chunk /= 2)
-    for (std::uint32_t first = 0; first + chunk <= count; first += chunk) {
-      list.push_back(of);
-      Case& c = list.back();
-      const auto begin = c.lights.begin() + std::ptrdiff_t(first);
-      c.lights.erase(begin, begin + std::ptrdiff_t(chunk));
-      for (CaseView& v : c.views) v.hidden = without(v.hidden, first, chunk);
+bool is_somewhere(const Light& light) { return light.kind != LightKind::directional; }
+
+/// Hands out copies of a case in which something is simpler. All functions return whether the
+/// visitor wants no more.
+class Simpler {
+public:
+  Simpler(const Case& of, const std::function<bool(Case&)>& visitor) : of_(of), visitor_(visitor) {}
+
+  [[nodiscard]] bool all() const {
+    return lights() || without_chunks(&Case::views, 1) ||
+           without_chunks(&Case::triangles, std::min<std::size_t>(of_.triangles.size(), 1)) ||
+           together() || views() || cut() || min_distance() || each_light() || picture();
+  }
+
+private:
+  /// A copy that `change` has changed.
+  template <class Change>
+  bool with(Change&& change) const {
+    Case c = of_;
+    change(c);
+    return visitor_(c);
+  }
+
+  /// Copies in which what `part` finds is one of these values.
+  template <class T, class Part>
+  bool each(const std::vector<T>& values, Part&& part) const {
+    return std::any_of(values.begin(), values.end(),
+                       [&](const T& value) { return with([&](Case& c) { part(c) = value; }); });
+  }
+
+  template <class F>
+  bool for_chunks(std::size_t count, std::size_t least, F&& f) const {
+    for (std::size_t chunk = std::max<std::size_t>(count / 2, 1); chunk > 0; chunk /= 2)
+      for (std::size_t first = 0; first + chunk <= count && count - chunk >= least; first += chunk)
+        if (f(first, chunk)) return true;
+    return false;
+  }
+
+  template <class T>
+  bool without_chunks(std::vector<T> Case::*part, std::size_t least) const {
+    return for_chunks((of_.*part).size(), least, [&](std::size_t first, std::size_t chunk) {
+      return with([&](Case& c) { erase(c.*part, first, chunk); });
+    });
+  }
+
+  template <class T>
+  static void erase(std::vector<T>& values, std::size_t first, std::size_t count) {
+    const auto begin = values.begin() + std::ptrdiff_t(first);
+    values.erase(begin, begin + std::ptrdiff_t(count));
+  }
+
+  [[nodiscard]] bool lights() const {
+    return for_chunks(of_.lights.size(), 1, [this](std::size_t first, std::size_t chunk) {
+      return with([&](Case& c) {
+        erase(c.lights, first, chunk);
+        for (CaseView& v : c.views)
+          v.hidden = without(v.hidden, std::uint32_t(first), std::uint32_t(chunk));
+      });
+    });
+  }
+
+  /// What has to change everywhere at once, or not at all.
+  [[nodiscard]] bool together() const {
+    return other([](Case& c) {
+             for (CaseView& v : c.views)
+               if (v.view.material.is_glossy() || !is_zeros_and_ones(v.view.material.diffuse))
+                 v.view.material = {glm::vec3(1), {}};
+           }) ||
+           other([](Case& c) {
+             for (Light& l : c.lights)
+               if (is_somewhere(l)) l = {.position = l.position, .intensity = l.intensity};
+           }) ||
+           other([](Case& c) {
+             for (Light& light : c.lights)
+               if (!is_zeros_and_ones(light.intensity)) light.intensity = glm::vec3(1);
+           }) ||
+           other([](Case& c) {
+             if (!c.views.empty() && c.triangles.empty()) shift(c, -c.views.front().view.position);
+           }) ||
+           other([exponent = largest_exponent()](Case& c) { scale(c, -exponent); }) || rounded();
+  }
+
+  /// What single floats shrink to; turning that into white again would never end.
+  static bool is_zeros_and_ones(const glm::vec3& v) {
+    const auto is = [](float value) { return value == 0 || value == 1; };
+    return is(v.x) && is(v.y) && is(v.z);
+  }
+
+  /// All positions with a few bits only.
+  [[nodiscard]] bool rounded() const {
+    for (const int bits : {2, 4, 12})
+      if (other([bits](Case& c) {
+            for_positions(c, [bits](glm::vec3& v) {
+              for (int i = 0; i < 3; ++i) v[i] = with_bits(v[i], bits);
+            });
+          }))
+        return true;
+    return false;
+  }
+
+  static float with_bits(float value, int bits) {
+    int exponent = 0;
+    const float mantissa = std::frexp(value, &exponent);
+    return std::ldexp(std::trunc(std::ldexp(mantissa, bits)), exponent - bits);
+  }
+
+  /// with(), where that is another case.
+  template <class Change>
+  bool other(Change&& change) const {
+    Case c = of_;
+    change(c);
+    return !(c == of_) && is_finite(c) && visitor_(c);
+  }
+
+  static bool is_finite(const Case& c) {
+    const auto finite = [](const glm::vec3& v) {
+      return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    return std::isfinite(c.min_distance) &&
+           std::all_of(c.lights.begin(), c.lights.end(), [&](const Light& light) {
+             return finite(light.position) && finite(light.intensity);
+           });
+  }
+
+  /// Of views, and of lights that are somewhere.
+  template <class F>
+  static void for_positions(Case& c, F&& f) {
+    for (CaseView& v : c.views) f(v.view.position);
+    for (Light& light : c.lights)
+      if (is_somewhere(light)) f(light.position);
+  }
+
+  static void shift(Case& c, const glm::vec3 by) {
+    for_positions(c, [&by](glm::vec3& v) { v += by; });
+  }
+
+  /// Lengths by 2^exponent, and intensities so that what arrives stays the same.
+  static void scale(Case& c, int exponent) {
+    const auto scaled = [exponent](glm::vec3& v, int times) {
+      for (int i = 0; i < 3; ++i) v[i] = std::ldexp(v[i], times * exponent);
+    };
+    for_positions(c, [&](glm::vec3& v) { scaled(v, 1); });
+    for (Light& light : c.lights)
+      if (is_somewhere(light)) scaled(light.intensity, 2);
+    c.min_distance = std::ldexp(c.min_distance, exponent);
+  }
+
+  /// Of the positions; 0 if all are 0, or about 1 already, or there is a picture, whose camera
+  /// stays.
+  [[nodiscard]] int largest_exponent() const {
+    float largest = 0;
+    Case copy = of_;
+    for_positions(copy, [&largest](const glm::vec3& v) {
+      for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(v[i]));
+    });
+    if (largest == 0 || !of_.triangles.empty()) return 0;
+    const int exponent = std::ilogb(largest);
+    // What shrinks a float in [1, 2) may halve it: scaling that back would never end.
+    return std::abs(exponent) <= 1 ? 0 : exponent;
+  }
+
+  [[nodiscard]] bool views() const {
+    for (std::size_t i = 0; i < of_.views.size(); ++i) {
+      const std::vector<std::uint32_t>& hidden = of_.views[i].hidden;
+      const auto seen = [&](std::size_t first, std::size_t chunk) {
+        return with([&](Case& c) { erase(c.views[i].hidden, first, chunk); });
+      };
+      if (!hidden.empty() && (seen(0, hidden.size()) || for_chunks(hidden.size(), 1, seen)))
+        return true;
+      if (each(gen::simpler(of_.views[i].view),
+               [i](Case& c) -> gen::View& { return c.views[i].view; }))
+        return true;
     }
-}
+    return false;
+  }
 
-/// Copies in which one part is another of the given values.
-template <class T, class Part>
-void append_each(std::vector<Case>& list, const Case& of, const std::vector<T>& values,
-                 Part&& part) {
-  for (const T& value : values) {
-    list.push_back(of);
-    part(list.back()) = value;
+  [[nodiscard]] bool cut() const {
+    const CutConfig usual{0.02F, 1000, 0};
+    const auto reset = [&](auto CutConfig::*field) {
+      return of_.cut.*field != usual.*field && with([&](Case& c) { c.cut.*field = usual.*field; });
+    };
+    return reset(&CutConfig::threshold) || reset(&CutConfig::max_size) ||
+           reset(&CutConfig::black_level) || (of_.draws && with([](Case& c) { c.draws = false; })) ||
+           (of_.seed != 1 && with([](Case& c) { c.seed = 1; }));
   }
-}
 
-void append_simpler_cuts(std::vector<Case>& list, const Case& of) {
-  const CutConfig usual{0.02F, 1000, 0};
-  const auto append = [&](auto CutConfig::*field) {
-    if (of.cut.*field == usual.*field) return;
-    list.push_back(of);
-    list.back().cut.*field = usual.*field;
-  };
-  append(&CutConfig::threshold);
-  append(&CutConfig::max_size);
-  append(&CutConfig::black_level);
-  if (of.draws) {
-    list.push_back(of);
-    list.back().draws = false;
+  [[nodiscard]] bool min_distance() const {
+    std::vector<float> values = gen::simpler(of_.min_distance);
+    std::erase_if(values, [](float value) { return value < 0; });
+    return each(values, [](Case& c) -> float& { return c.min_distance; });
   }
-  if (of.seed != 1) {
-    list.push_back(of);
-    list.back().seed = 1;
+
+  [[nodiscard]] bool each_light() const {
+    for (std::size_t i = 0; i < of_.lights.size(); ++i)
+      if (each(gen::simpler(of_.lights[i]), [i](Case& c) -> Light& { return c.lights[i]; }))
+        return true;
+    return false;
   }
-}
+
+  [[nodiscard]] bool picture() const {
+    if (of_.triangles.empty()) return false;
+    for (const glm::uvec2 size :
+         {glm::uvec2(1), glm::uvec2(1, of_.image_size.y), glm::uvec2(of_.image_size.x, 1)})
+      if (size != of_.image_size && with([&](Case& c) { c.image_size = size; })) return true;
+    for (std::size_t i = 0; i < of_.triangles.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (each(gen::simpler(of_.triangles[i].corners[k]),
+                 [i, k](Case& c) -> glm::vec3& { return c.triangles[i].corners[k]; }))
+          return true;
+    return false;
+  }
+
+  const Case& of_;
+  const std::function<bool(Case&)>& visitor_;
+};
 
 } // namespace
 
@@ -208,43 +370,16 @@ Case random_case(std::uint64_t seed, std::uint64_t index) {
   return dice.one_in(8) ? picture(dice) : lights_and_views(dice);
 }
 
+bool visit_simpler(const Case& of, const std::function<bool(Case&)>& visitor) {
+  return Simpler(of, visitor).all();
+}
+
 std::vector<Case> simpler(const Case& of) {
   std::vector<Case> list;
-  append_with_fewer_lights(list, of);
-  append_without_chunks(list, of, &Case::views, 1);
-  append_without_chunks(list, of, &Case::triangles, of.triangles.empty() ? 0 : 1);
-  for (std::size_t i = 0; i < of.views.size(); ++i) {
-    if (!of.views[i].hidden.empty()) {
-      list.push_back(of);
-      list.back().views[i].hidden.clear();
-    }
-    for (std::size_t k = 0; of.views[i].hidden.size() > 1 && k < of.views[i].hidden.size(); ++k) {
-      list.push_back(of);
-      auto& hidden = list.back().views[i].hidden;
-      hidden.erase(hidden.begin() + std::ptrdiff_t(k));
-    }
-    append_each(list, of, gen::simpler(of.views[i].view),
-                [i](Case& c) -> gen::View& { return c.views[i].view; });
-  }
-  append_simpler_cuts(list, of);
-  append_each(list, of, gen::simpler(of.min_distance),
-              [](Case& c) -> float& { return c.min_distance; });
-  std::erase_if(list, [](const Case& c) { return c.min_distance < 0; });
-  for (std::size_t i = 0; i < of.lights.size(); ++i)
-    append_each(list, of, gen::simpler(of.lights[i]),
-                [i](Case& c) -> Light& { return c.lights[i]; });
-  if (!of.triangles.empty()) {
-    for (glm::uvec2 size :
-         {glm::uvec2(1), glm::uvec2(1, of.image_size.y), glm::uvec2(of.image_size.x, 1)})
-      if (size != of.image_size) {
-        list.push_back(of);
-        list.back().image_size = size;
-      }
-    for (std::size_t i = 0; i < of.triangles.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        append_each(list, of, gen::simpler(of.triangles[i].corners[k]),
-                    [i, k](Case& c) -> glm::vec3& { return c.triangles[i].corners[k]; });
-  }
+  visit_simpler(of, [&list](Case& c) {
+    list.push_back(std::move(c));
+    return false;
+  });
   return list;
 }
 

@@ -27,7 +27,7 @@ struct Cuts {
     exact.threshold = 0;
     exact.black_level = 0;
     exact.max_size = static_cast<std::uint32_t>(lights);
-    small.max_size = 7;
+    small.max_size = small_cut_size;
   }
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/oracle/check_case.h>
 
-#include <fmt/format.h>
+#include <optional>
 
-#include <lightcuts/input_error.h>
+#include "each_view.h"
 #include <lightcuts/oracle/case_properties.h>
 #include <lightcuts/oracle/point_properties.h>
 
@@ -13,42 +13,64 @@ namespace {
 // For runs of up to 10 000 cases with draws.
 constexpr DrawConfig draw_config{.false_alarms = 1e-6, .cases = 10'000};
 
-void check_cuts(const Judged& judged, const CutConfig& cut, const PointCase& at, Tally& tally) {
+/// What to look at: everything, or what says something about one property.
+struct Scope {
+  std::optional<Property> only = std::nullopt;
+
+  [[nodiscard]] bool has(Property first, Property last) const {
+    return !only || (*only >= first && *only <= last) || *only == Property::results_are_finite ||
+           *only == Property::subject_answers;
+  }
+  [[nodiscard]] bool bounds() const {
+    return has(Property::bound_dominates_contribution, Property::bound_is_finite);
+  }
+  [[nodiscard]] bool cuts() const {
+    return has(Property::cut_partitions_lights, Property::visibility_only_darkens);
+  }
+  [[nodiscard]] bool agreement() const {
+    return has(Property::threads_agree, Property::threads_agree);
+  }
+  [[nodiscard]] bool sampling() const {
+    return has(Property::probabilities_sum_to_one, Property::stochastic_is_unbiased);
+  }
+  [[nodiscard]] bool draws() const {
+    return has(Property::draws_follow_probabilities, Property::stochastic_is_unbiased);
+  }
+  [[nodiscard]] bool views() const { return bounds() || cuts() || agreement() || sampling(); }
+  [[nodiscard]] bool invariance() const {
+    return has(Property::intensity_scales_exactly, Property::black_light_is_immaterial);
+  }
+  [[nodiscard]] bool picture() const {
+    return has(Property::occlusion_equals_brute_force, Property::pixels_equal_points);
+  }
+};
+
+void check_cuts(const Judged& judged, const Case& on, const PointCase& at, Tally& tally) {
   const auto visible = [&at](std::uint32_t light) {
     return light < at.visible.size() && at.visible[light] != 0;
   };
-  CutConfig exact = cut, small = cut;
-  exact.threshold = 0;
-  exact.black_level = 0;
-  exact.max_size = std::uint32_t(at.lights().size());
-  small.max_size = 3;
-  for (const CutConfig& config : {cut, exact, small})
+  for (const CutConfig& config : cuts_of(on))
     check_cut(judged, config, judged.tree.select(at.point, config, visible), at, tally);
-  check_nesting(judged, cut, at, tally);
+  check_nesting(judged, on.cut, at, tally);
   check_darkening(judged, at, tally);
 }
 
 void check_views(const Judged& judged, const Topology& topology, const LightSet& lights,
-                 const Case& on, std::uint64_t place, Tally& tally) {
-  Truth truth;
-  std::vector<char> visible;
-  for (const CaseView& v : on.views) {
-    const ShadingPoint point = v.view.point();
-    visible.assign(lights.size(), 1);
-    for (const std::uint32_t hidden : v.hidden) visible[hidden] = 0;
-    truth.evaluate(topology, lights, point, visible);
-    const PointCase at{place, point, visible, truth};
-    check_clusters(judged, at, tally);
-    if (judged.has(Part::cuts)) check_cuts(judged, on.cut, at, tally);
-    if (judged.has(Part::sampling)) check_probabilities(judged, at, tally);
-    check_agreement(judged, on.cut, at, tally);
-    if (on.draws && judged.has(Part::sampling) && judged.has(Part::random_cuts))
+                 const Case& on, const Scope& scope, std::uint64_t place, Tally& tally) {
+  for_each_view(on, topology, lights, place, [&](std::size_t, const PointCase& at) {
+    if (scope.bounds()) check_clusters(judged, at, tally);
+    if (scope.cuts() && judged.has(Part::cuts)) check_cuts(judged, on, at, tally);
+    if (scope.sampling() && judged.has(Part::sampling)) check_probabilities(judged, at, tally);
+    if (scope.agreement()) check_agreement(judged, on.cut, at, tally);
+    if (on.draws && scope.draws() && judged.has(Part::sampling) && judged.has(Part::random_cuts))
       check_draws(judged, on.cut, draw_config, at, tally);
-  }
+    return false;
+  });
 }
 
-void check_all(const Subject& subject, const Case& on, std::uint64_t place, Tally& tally) {
-  if (!on.triangles.empty()) check_picture(subject, on, place, tally);
+void check_all(const Subject& subject, const Case& on, const Scope& scope, std::uint64_t place,
+               Tally& tally) {
+  if (scope.picture() && !on.triangles.empty()) check_picture(subject, on, place, tally);
   if (has(subject.parts(), Part::refinement_order)) check_refinement_order(subject, place, tally);
   const LightSet lights = on.light_set();
   if (lights.empty()) return;
@@ -57,21 +79,40 @@ void check_all(const Subject& subject, const Case& on, std::uint64_t place, Tall
   const std::optional<Topology> topology = check_tree(tree->claim(), lights, place, tally);
   if (!topology) return;
   check_cost(*topology, lights, place, tally);
-  check_views(judged, *topology, lights, on, place, tally);
-  check_invariance(subject, on, place, tally);
+  if (scope.views()) check_views(judged, *topology, lights, on, scope, place, tally);
+  if (scope.invariance()) check_invariance(subject, on, place, tally);
 }
 
-} // namespace
-
-void check_case(const Subject& subject, const Case& on, std::uint64_t place, Tally& tally) {
+/// What the subject cannot answer counts, too.
+void check_answers(const Subject& subject, const Case& on, const Scope& scope, std::uint64_t place,
+                   Tally& tally) {
   std::string failure;
   try {
-    check_all(subject, on, place, tally);
+    check_all(subject, on, scope, place, tally);
   } catch (const SubjectFailure& e) {
     failure = e.what();
   }
   tally.record(Property::subject_answers, failure.empty(), place, no_ratio,
                [&] { return failure; });
+}
+
+} // namespace
+
+std::array<CutConfig, 3> cuts_of(const Case& on) {
+  CutConfig exact = on.cut, small = on.cut;
+  exact.threshold = 0;
+  exact.black_level = 0;
+  exact.max_size = std::uint32_t(on.lights.size());
+  small.max_size = 3;
+  return {on.cut, exact, small};
+}
+
+void check_case(const Subject& subject, const Case& on, std::uint64_t place, Tally& tally) {
+  check_answers(subject, on, {}, place, tally);
+}
+
+void check_case_for(Property property, const Subject& subject, const Case& on, Tally& tally) {
+  check_answers(subject, on, {property}, 0, tally);
 }
 
 } // namespace lightcuts::oracle

@@ -199,22 +199,26 @@ glm::dvec3 seen_estimate(const Judged& judged, std::uint32_t node, const PointCa
   return judged.tree.estimate(node, at.point, bound);
 }
 
+void check_cluster(const Judged& judged, std::uint32_t node, const PointCase& at,
+                   std::span<const glm::vec3> bounds, Tally& tally) {
+  const glm::vec3& bound = bounds[node];
+  check_contribution(at, node, bound, tally);
+  check_finite(at, node, bound, tally);
+  if (judged.has(Part::estimates)) {
+    const glm::dvec3 estimate = seen_estimate(judged, node, at, bound);
+    check_estimate(at, node, estimate, tally);
+    check_error(at, node, estimate, bound, tally);
+  }
+  if (judged.has(Part::lower_bounds))
+    check_order(at, node, judged.tree.lower_bound(node, at.point), bound, tally);
+  if (!at.topology().is_leaf(node)) check_shrinking(at, node, bounds, tally);
+}
+
 void check_clusters(const Judged& judged, const PointCase& at, Tally& tally) {
   if (!judged.has(Part::bounds)) return;
   std::vector<glm::vec3> bounds(at.topology().size());
   judged.tree.bounds(at.point, bounds);
-  for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-    check_contribution(at, i, bounds[i], tally);
-    check_finite(at, i, bounds[i], tally);
-    if (judged.has(Part::estimates)) {
-      const glm::dvec3 estimate = seen_estimate(judged, i, at, bounds[i]);
-      check_estimate(at, i, estimate, tally);
-      check_error(at, i, estimate, bounds[i], tally);
-    }
-    if (judged.has(Part::lower_bounds))
-      check_order(at, i, judged.tree.lower_bound(i, at.point), bounds[i], tally);
-    if (!at.topology().is_leaf(i)) check_shrinking(at, i, bounds, tally);
-  }
+  for (std::uint32_t i = 0; i < bounds.size(); ++i) check_cluster(judged, i, at, bounds, tally);
 }
 
 } // namespace lightcuts::oracle

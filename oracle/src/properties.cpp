@@ -128,6 +128,15 @@ std::uint64_t Tally::sum(Severity severity) const {
   return sum;
 }
 
+std::vector<Property> broken(const Tally& tally) {
+  std::vector<Property> list;
+  for (const Severity severity : {Severity::violation, Severity::waste})
+    for (std::size_t i = 0; i < property_count; ++i)
+      if (infos[i].severity == severity && tally[Property(i)].violations > 0)
+        list.push_back(Property(i));
+  return list;
+}
+
 double ratio_of(long double left, long double right) {
   if (left == 0 && right >= 0) return 0;
   constexpr double largest = std::numeric_limits<double>::max();

@@ -63,9 +63,29 @@ void simplify_lobe(std::vector<View>& list, const View& view) {
   simplify_as(&Phong::reflectance);
   simplify_as(&Ward::reflectance);
   simplify_as(&CookTorrance::f0);
+  const auto simplify_alpha = [&]<class OneLobe>(float OneLobe::*alpha) {
+    if (std::holds_alternative<OneLobe>(lobe))
+      for (const float value : {1.0F, 0.5F, 0.125F}) {
+        if (std::get<OneLobe>(lobe).*alpha == value) return;
+        list.push_back(view);
+        std::get<OneLobe>(list.back().material.lobe).*alpha = value;
+      }
+  };
+  simplify_alpha(&Ward::alpha);
+  simplify_alpha(&CookTorrance::alpha);
   if (std::holds_alternative<Phong>(lobe))
     simplify(list, view,
              [](View& v) -> float& { return std::get<Phong>(v.material.lobe).exponent; });
+}
+
+/// A half-space with a soft rim, or a cone of 60 degrees.
+void simplify_cone(std::vector<Light>& list, const Light& light) {
+  for (const auto& [inner, outer] : {std::pair(1.0F, 0.0F), std::pair(1.0F, 0.5F)}) {
+    if (light.cos_inner == inner && light.cos_outer == outer) return;
+    list.push_back(light);
+    list.back().cos_inner = inner;
+    list.back().cos_outer = outer;
+  }
 }
 
 /// Copies of `whole` in which one part, reached by `part`, is simpler.
@@ -98,10 +118,16 @@ std::vector<float> simpler(const float& value) {
 
 std::vector<glm::vec3> simpler_directions(const glm::vec3& v) {
   std::vector<glm::vec3> list;
-  for (const glm::vec3& axis : {glm::vec3(0, 0, 1), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0)}) {
+  for (const glm::vec3& axis : {glm::vec3(0, 0, 1), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0),
+                                glm::vec3(0, 0, -1), glm::vec3(0, -1, 0), glm::vec3(-1, 0, 0)}) {
     if (v == axis) break;
     list.push_back(axis);
   }
+  // Still as good as unit without its tiny components.
+  glm::vec3 grazing = v;
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(v[i]) < 0x1p-12F) grazing[i] = 0;
+  if (grazing != v) list.push_back(grazing);
   return list;
 }
 
@@ -124,9 +150,7 @@ std::vector<View> simpler(const View& view) {
 std::vector<Light> simpler(const Light& light) {
   std::vector<Light> list;
   if (light.kind != LightKind::omni && light.kind != LightKind::directional) {
-    list.push_back(light);
-    list.back().kind = LightKind::omni;
-    list.back().axis = glm::vec3(0);
+    list.push_back({.position = light.position, .intensity = light.intensity});
   }
   const auto position = [](Light& l) -> glm::vec3& { return l.position; };
   if (light.kind == LightKind::directional)
@@ -135,6 +159,7 @@ std::vector<Light> simpler(const Light& light) {
     simplify_vector(list, light, position);
   if ((only(light.kind) & kinds_with_axis) != 0)
     simplify_direction(list, light, [](Light& l) -> glm::vec3& { return l.axis; });
+  if (light.kind == LightKind::spot) simplify_cone(list, light);
   simplify_vector(list, light, [](Light& l) -> glm::vec3& { return l.intensity; });
   return list;
 }

@@ -44,6 +44,11 @@ std::string JsonElement::string() const {
   return json_->get<std::string>();
 }
 
+bool JsonElement::boolean() const {
+  if (!json_->is_boolean()) refuse_type("true or false");
+  return json_->get<bool>();
+}
+
 float JsonElement::number(float least) const {
   if (!json_->is_number()) refuse_type("a number");
   const auto value = json_->get<double>();

@@ -39,6 +39,7 @@ public:
   [[nodiscard]] JsonElement at(std::size_t i) const;
 
   [[nodiscard]] std::string string() const;
+  [[nodiscard]] bool boolean() const;
   /// A number within float's range that is at least `least`.
   [[nodiscard]] float number(float least = std::numeric_limits<float>::lowest()) const;
   [[nodiscard]] std::uint64_t whole_number(std::uint64_t least, std::uint64_t most) const;

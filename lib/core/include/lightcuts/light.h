@@ -34,6 +34,8 @@ struct Light {
   glm::vec3 axis{0};      ///< unit, where most of an oriented or spot light goes; else unused
   float cos_inner = 1;    ///< of a spot: full intensity within, at least cos_outer + 2^-11
   float cos_outer = -1;   ///< of a spot: nothing beyond
+
+  bool operator==(const Light&) const = default;
 };
 
 /// From where a light is looked at: a directional light lies at its direction as seen from 0.

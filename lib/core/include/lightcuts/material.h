@@ -31,6 +31,7 @@ struct Material {
   Lobe lobe;
 
   [[nodiscard]] bool is_glossy() const { return !std::holds_alternative<NoLobe>(lobe); }
+  bool operator==(const Material&) const = default;
 };
 
 /// Throws InputError, naming the field, where a value lies outside its domain.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -17,12 +18,16 @@ namespace lightcuts::oracle {
 struct CaseView {
   gen::View view;
   std::vector<std::uint32_t> hidden; ///< indices of lights, ascending
+
+  bool operator==(const CaseView&) const = default;
 };
 
 /// A triangle of a case; its surface is the first view's material.
 struct CaseTriangle {
   std::array<glm::vec3, 3> corners;
   std::uint32_t mesh = 0; ///< triangles of one mesh are neighbours
+
+  bool operator==(const CaseTriangle&) const = default;
 };
 
 /// All that a subject is judged on at once, as small as a counterexample wants to be: lights and
@@ -41,13 +46,18 @@ struct Case {
   [[nodiscard]] LightSet light_set() const;
   /// The triangles with the lights and the first view's material.
   [[nodiscard]] lightcuts::Scene scene() const;
+  bool operator==(const Case&) const = default;
 };
 
 /// The index-th random case of a seed: as gen::make_scene() has it, with one to three views; one in
 /// eight with a few triangles; one in 500 to be judged by many draws. Same arguments, same bits.
 [[nodiscard]] Case random_case(std::uint64_t seed, std::uint64_t index);
 
-/// Cases that are simpler, the simplest first; none for the simplest of all.
+/// Hands cases that are simpler to the visitor, the simplest first, until it returns true; none
+/// for the simplest of all. Each is made when its turn has come. Returns whether the visitor did.
+bool visit_simpler(const Case& of, const std::function<bool(Case&)>& visitor);
+
+/// All of them: for cases of few lights.
 [[nodiscard]] std::vector<Case> simpler(const Case& of);
 
 } // namespace lightcuts::oracle

@@ -29,6 +29,9 @@ struct CheckResult {
   double seconds = 0;
 };
 
+/// At each point check() looks at a cut too small to converge, too: of so many clusters.
+inline constexpr std::uint32_t small_cut_size = 7;
+
 /// Judges the subject on the scene: every property of the tree and of the materials; every cluster
 /// and several cuts at shading points chosen at random among the pixels that see a surface; shadow
 /// rays from there. Same inputs, same counts, for any number of threads. Throws InputError if the

@@ -36,9 +36,13 @@ struct Judged {
 [[nodiscard]] glm::dvec3 seen_estimate(const Judged& judged, std::uint32_t node,
                                        const PointCase& at, const glm::vec3& bound);
 
-/// Checks every cluster of the subject's tree at the point: bound-dominates-contribution,
-/// bound-dominates-error, bounds-are-ordered, bound-shrinks-on-refinement, bound-is-finite,
-/// results-are-finite, as far as the parts go.
+/// Checks one cluster of the subject's tree at the point, given the bounds of all:
+/// bound-dominates-contribution, bound-dominates-error, bounds-are-ordered,
+/// bound-shrinks-on-refinement, bound-is-finite, results-are-finite, as far as the parts go.
+void check_cluster(const Judged& judged, std::uint32_t node, const PointCase& at,
+                   std::span<const glm::vec3> bounds, Tally& tally);
+
+/// The same for every cluster, if bounds can be judged.
 void check_clusters(const Judged& judged, const PointCase& at, Tally& tally);
 
 /// Checks one cut: cut-partitions-lights, cut-obeys-threshold, certified-error-holds,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace lightcuts::oracle {
 
@@ -119,6 +120,9 @@ private:
 
   std::array<PropertyCount, property_count> counts_;
 };
+
+/// The properties that do not hold, violations before waste.
+[[nodiscard]] std::vector<Property> broken(const Tally& tally);
 
 /// For record(): properties that hold or not, without a ratio.
 inline constexpr double no_ratio = -1;

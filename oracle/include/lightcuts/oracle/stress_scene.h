@@ -20,6 +20,7 @@ struct View {
   Material material{glm::vec3(1), {}};
 
   [[nodiscard]] ShadingPoint point() const { return {position, normal, to_viewer, material}; }
+  bool operator==(const View&) const = default;
 };
 
 struct Scene {

@@ -46,6 +46,8 @@ struct Camera {
   glm::vec3 target{0, 0, 0};
   glm::vec3 up{0, 1, 0};
   float vertical_fov = 45; ///< degrees, in (0, 180)
+
+  bool operator==(const Camera&) const = default;
 };
 
 struct Scene {

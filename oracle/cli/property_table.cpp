@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "property_table.h"
+
+#include <fmt/format.h>
+
+#include "common.h"
+#include "subjects.h"
+
+namespace lightcuts::cli {
+namespace {
+
+using oracle::Property;
+using oracle::PropertyCount;
+using oracle::Severity;
+
+std::string ratio_text(double ratio) {
+  if (ratio < 0) return "-";
+  if (ratio > 1e6) return "> 10^6";
+  return ratio != 0 && ratio < 1e-4 ? fmt::format("{:.1e}", ratio) : fmt::format("{:.4f}", ratio);
+}
+
+std::string summary(const oracle::Tally& tally) {
+  if (tally.violations() > 0) return fmt::format("{} violations.\n", tally.violations());
+  if (tally.wasteful() > 0)
+    return fmt::format("Nothing is wrong; {} times a right result costs more than it has to.\n",
+                       tally.wasteful());
+  return "All properties hold.\n";
+}
+
+} // namespace
+
+std::string property_table(const oracle::Tally& tally) {
+  std::string text =
+      fmt::format("{:<31}{:>12}{:>12}{:>13}\n", "property", "cases", "violations", "worst ratio");
+  for (std::size_t i = 0; i < oracle::property_count; ++i) {
+    const PropertyCount& count = tally[Property(i)];
+    text += fmt::format("{:<31}{:>12}{:>12}{:>13}\n", info(Property(i)).name, count.cases,
+                        count.violations, ratio_text(count.worst_ratio));
+    if (count.violations > 0)
+      text += fmt::format("  first{}: {}\n",
+                          info(Property(i)).severity == Severity::waste ? ", a waste" : "",
+                          count.first_violation);
+  }
+  return text + "\n" + summary(tally);
+}
+
+nlohmann::ordered_json properties_json(const oracle::Tally& tally) {
+  auto list = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < oracle::property_count; ++i) {
+    const PropertyCount& count = tally[Property(i)];
+    nlohmann::ordered_json entry{
+        {"name", info(Property(i)).name}, {"cases", count.cases}, {"violations", count.violations}};
+    entry["worst_ratio"] = nullptr; // where the property is a matter of yes or no
+    if (count.worst_ratio >= 0) entry["worst_ratio"] = count.worst_ratio;
+    if (count.violations > 0) entry["first_violation"] = count.first_violation;
+    list.push_back(entry);
+  }
+  return list;
+}
+
+int exit_code_for(const oracle::Tally& tally, const oracle::Subject& subject) {
+  if (tally.violations() > 0) return violated;
+  return tally.wasteful() > 0 && is_library(subject) ? violated : all_holds;
+}
+
+} // namespace lightcuts::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <lightcuts/oracle/properties.h>
+#include <lightcuts/oracle/subject.h>
+#include <nlohmann/json.hpp>
+
+namespace lightcuts::cli {
+
+/// A line per property with its cases, violations and worst ratio, and what the first violation is;
+/// then what that amounts to.
+[[nodiscard]] std::string property_table(const oracle::Tally& tally);
+
+/// The same as a list.
+[[nodiscard]] nlohmann::ordered_json properties_json(const oracle::Tally& tally);
+
+/// all_holds or violated: waste alone is a failure of the library, but of nobody else.
+[[nodiscard]] int exit_code_for(const oracle::Tally& tally, const oracle::Subject& subject);
+
+} // namespace lightcuts::cli
