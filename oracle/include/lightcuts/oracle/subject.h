@@ -7,6 +7,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/cut_selector.h>
@@ -40,6 +41,8 @@ using Parts = unsigned;
 [[nodiscard]] constexpr Parts only(Part part) { return unsigned(part); }
 [[nodiscard]] constexpr bool has(Parts parts, Part part) { return (parts & only(part)) != 0; }
 [[nodiscard]] const char* name_of(Part part);
+/// Names of all that are not among them.
+[[nodiscard]] std::vector<std::string> names_without(Parts parts);
 
 /// A light drawn from a cluster.
 struct DrawnLight {
@@ -77,6 +80,9 @@ public:
                      const std::function<bool(std::uint32_t)>& visible);
   /// Draws one of the cluster's lights by a random number u in [0, 1).
   virtual DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u);
+  /// The same for many random numbers, of which `out` has as many.
+  virtual void samples(std::uint32_t node, const ShadingPoint& point, std::span<const double> u,
+                       std::span<DrawnLight> out);
   /// The probability with which sample() draws the light.
   virtual double probability(std::uint32_t node, const ShadingPoint& point, std::uint32_t light);
   /// The library's own tree underneath, or nothing for a foreign one.
