@@ -9,7 +9,6 @@
 #include "common.h"
 #include "progress.h"
 #include <lightcuts/oracle/check.h>
-#include <lightcuts/oracle/library_subject.h>
 #include <lightcuts/render/needs.h>
 #include <lightcuts/tree_builder.h>
 
@@ -26,7 +25,8 @@ std::string ratio_text(double ratio) {
   return ratio != 0 && ratio < 1e-4 ? fmt::format("{:.1e}", ratio) : fmt::format("{:.4f}", ratio);
 }
 
-std::string table_of(const Scene& scene, const CheckResult& result, const CutConfig& cut) {
+std::string table_of(const Scene& scene, const oracle::Subject& subject, const CheckResult& result,
+                     const CutConfig& cut) {
   std::string text = fmt::format(
       "{}: {} lights, {} triangles, threshold {:g} %\n{} (node, point) pairs at {} points, {} "
       "rays ({} too close to call), {:.1f} s\n\n{:<31}{:>12}{:>12}{:>13}\n",
@@ -39,15 +39,19 @@ std::string table_of(const Scene& scene, const CheckResult& result, const CutCon
                         count.violations, ratio_text(count.worst_ratio));
     if (count.violations > 0) text += fmt::format("  first: {}\n", count.first_violation);
   }
+  if (const std::string absent = not_judged(subject); !absent.empty()) text += "\n" + absent;
   text += result.tally.violations() == 0
               ? "\nAll properties hold.\n"
               : fmt::format("\n{} violations.\n", result.tally.violations());
   return text;
 }
 
-std::string json_of(const CommonOptions& options, const CheckResult& result, const CutConfig& cut) {
+std::string json_of(const CommonOptions& options, const oracle::Subject& subject,
+                    const CheckResult& result, const CutConfig& cut) {
   nlohmann::ordered_json json{{"schema", "lightcuts-oracle/check/1"},
                               {"scene", options.scene},
+                              {"subject", subject.name()},
+                              {"not_judged", oracle::names_without(subject.parts())},
                               {"seed", options.seed},
                               {"threshold", std::stod(fmt::format("{}", cut.threshold))},
                               {"points", result.points},
@@ -71,6 +75,7 @@ std::string json_of(const CommonOptions& options, const CheckResult& result, con
 
 int run(const CommonOptions& options) {
   JsonFolder folder(options);
+  const std::unique_ptr<oracle::Subject> subject = subject_for(options);
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, {options.seed});
@@ -80,11 +85,11 @@ int run(const CommonOptions& options) {
   {
     Progress progress("check " + options.scene);
     config.progress = progress.callback();
-    result = check(view, *oracle::library_subject(), config);
+    result = check(view, *subject, config);
   }
-  const std::string json = json_of(options, result, config.cut);
+  const std::string json = json_of(options, *subject, result, config.cut);
   folder.write("check.json", json);
-  print_results(options, table_of(scene, result, config.cut), json);
+  print_results(options, table_of(scene, *subject, result, config.cut), json);
   return result.tally.violations() == 0 ? all_holds : violated;
 }
 
@@ -98,6 +103,7 @@ void add_check_command(CLI::App& app, Action& chosen) {
   add_threshold_option(*command, *options);
   add_json_folder_option(*command, *options);
   add_cases_option(*command, *options);
+  add_subject_option(*command, *options);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

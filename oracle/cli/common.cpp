@@ -10,6 +10,8 @@
 
 #include "count.h"
 #include <lightcuts/input_error.h>
+#include <lightcuts/oracle/library_subject.h>
+#include <lightcuts/oracle/plugin_subject.h>
 #include <lightcuts/render/area_lights.h>
 #include <lightcuts/render/environment_lights.h>
 #include <lightcuts/render/light_generator.h>
@@ -256,6 +258,31 @@ void add_cases_option(CLI::App& command, CommonOptions& options) {
                   "(node, shading point) pairs to check at least, such as 1000000 or 1e9")
       ->check(check_count)
       ->capture_default_str();
+}
+
+void add_subject_option(CLI::App& command, CommonOptions& options) {
+  CLI::Option* subject =
+      command.add_option("--subject", options.subject,
+                         "judge the light tree in this shared library, written after "
+                         "lightcuts/oracle/subject_abi.h; default: the library's own");
+  command
+      .add_option("--time-limit", options.time_limit,
+                  "of each question to --subject, seconds; after that it counts as hung")
+      ->needs(subject)
+      ->check(CLI::Range(1e-3, 1e6))
+      ->capture_default_str();
+}
+
+std::unique_ptr<oracle::Subject> subject_for(const CommonOptions& options) {
+  if (options.subject.empty()) return oracle::library_subject();
+  return oracle::plugin_subject(options.subject, {.time_limit = options.time_limit});
+}
+
+std::string not_judged(const oracle::Subject& subject) {
+  const std::vector<std::string> names = oracle::names_without(subject.parts());
+  if (names.empty()) return {};
+  return fmt::format("not judged: {} ({} does not offer them)\n", fmt::join(names, ", "),
+                     subject.name());
 }
 
 oracle::CheckConfig check_config_for(const CommonOptions& options, const SceneView& view) {

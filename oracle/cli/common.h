@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <glm/vec2.hpp>
 #include <lightcuts/oracle/check.h>
+#include <lightcuts/oracle/subject.h>
 #include <lightcuts/render/needs.h>
 #include <lightcuts/render/output_folder.h>
 #include <lightcuts/render/scene.h>
@@ -37,6 +39,8 @@ struct CommonOptions {
   std::optional<float> min_distance;
   std::string out;
   std::string json;
+  std::string subject;
+  double time_limit = 10;
 };
 
 /// Adds SCENE, --seed, --threads, --max-cut, --size, --json, and what makes lights: --lights,
@@ -67,6 +71,16 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 
 /// Adds --cases to the commands that check; its default is what options.cases is.
 void add_cases_option(CLI::App& command, CommonOptions& options);
+
+/// Adds --subject and --time-limit to the commands that judge a light tree.
+void add_subject_option(CLI::App& command, CommonOptions& options);
+
+/// What is judged: the light tree of --subject, or the library. Throws InputError where the file is
+/// no light tree.
+[[nodiscard]] std::unique_ptr<oracle::Subject> subject_for(const CommonOptions& options);
+
+/// A sentence on the parts that the subject does not offer; nothing where it offers all.
+[[nodiscard]] std::string not_judged(const oracle::Subject& subject);
 
 /// What check() is to do, as the options say; no black level, no progress.
 [[nodiscard]] oracle::CheckConfig check_config_for(const CommonOptions& options,
