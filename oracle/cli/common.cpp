@@ -274,8 +274,8 @@ void add_subject_option(CLI::App& command, CommonOptions& options) {
 }
 
 std::unique_ptr<oracle::Subject> subject_for(const CommonOptions& options) {
-  if (options.subject.empty()) return oracle::library_subject();
-  return oracle::plugin_subject(options.subject, {.time_limit = options.time_limit});
+  if (!options.subject) return oracle::library_subject();
+  return oracle::plugin_subject(*options.subject, {.time_limit = options.time_limit});
 }
 
 std::string not_judged(const oracle::Subject& subject) {

@@ -39,7 +39,7 @@ struct CommonOptions {
   std::optional<float> min_distance;
   std::string out;
   std::string json;
-  std::string subject;
+  std::optional<std::string> subject;
   double time_limit = 10;
 };
 

@@ -17,7 +17,7 @@ int run(const CommonOptions& options, const std::string& name) {
   oracle::HuntConfig c;
   c.seed = options.seed;
   c.cases = std::stoull(options.cases);
-  c.waste = options.subject.empty(); // it is for a foreign tree to choose
+  c.waste = !options.subject; // it is for a foreign tree to choose
   auto r = oracle::hunt(*s, c);
   fmt::print("{} cases {:.2f} s\n", r.cases, r.seconds);
   for (std::size_t i = 0; i < oracle::property_count; ++i)

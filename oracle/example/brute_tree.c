@@ -121,7 +121,7 @@ static double emission(const lightcuts_light* light, const float x[3], double d)
   const double cosine = dot_between(light->axis, light->position, x) / (length(light->axis) * d);
   if (light->kind == LIGHTCUTS_LIGHT_ORIENTED) return fmax(cosine, 0);
   const double rim = cosine - light->cos_outer;
-  if (rim <= 0x1p-45) return 0; // nothing but rounding
+  if (rim <= 0x1p-45 * fabs(light->cos_outer)) return 0; // nothing but rounding
   const double t = fmin(rim / ((double)light->cos_inner - light->cos_outer), 1);
   return t * t;
 }

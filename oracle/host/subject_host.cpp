@@ -13,6 +13,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "subject_protocol.h"
@@ -377,11 +378,13 @@ private:
   }
 }
 
-/// Signals as a program has them, and the first to go where memory runs out.
+/// Signals as a program has them, no cores, and the first to go where memory runs out.
 void be_expendable() {
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP})
     std::signal(number, SIG_DFL);
   std::signal(SIGPIPE, SIG_IGN);
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
   std::ofstream("/proc/self/oom_score_adj") << 1000;
 }
 

@@ -204,9 +204,14 @@ void check_probabilities(const Judged& judged, const PointCase& at, Tally& tally
                    return fmt::format("{}: the probabilities in node {} sum to {}", at_point(at),
                                       node, double(sum));
                  });
-    for (int i = 0; i < 8; ++i) {
-      const double u = (i + 0.5) / 8;
-      const DrawnLight drawn = judged.tree.sample(node, at.point, u);
+    std::array<double, 8> random;
+    for (std::size_t i = 0; i < random.size(); ++i)
+      random[i] = (double(i) + 0.5) / double(random.size());
+    std::array<DrawnLight, random.size()> draws;
+    judged.tree.samples(node, at.point, random, draws);
+    for (std::size_t i = 0; i < random.size(); ++i) {
+      const double u = random[i];
+      const DrawnLight& drawn = draws[i];
       if (drawn.probability == 0 && sum == 0) continue;
       const bool belongs = std::find(lights.begin(), lights.end(), drawn.light) != lights.end();
       const double p = belongs ? judged.tree.probability(node, at.point, drawn.light) : 0;
