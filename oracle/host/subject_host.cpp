@@ -80,9 +80,7 @@ void write_all(std::span<const std::byte> bytes) {
 }
 
 void answer(Answer answer, std::span<const std::byte> payload) {
-  const AnswerHeader header{answer, payload.size()};
-  write_all(std::as_bytes(std::span(&header, 1)));
-  write_all(payload);
+  write_all(joined(AnswerHeader{answer, payload.size()}, payload));
 }
 
 void answer_cannot_be(const std::string& text) {

@@ -235,9 +235,7 @@ std::span<const std::byte> SubjectProcess::ask(protocol::Request request,
                                                std::uint64_t most) {
   if (!is_alive()) throw SubjectFailure(failure_);
   const Deadline deadline(seconds_);
-  const protocol::RequestHeader header{request, payload.size()};
-  send(std::as_bytes(std::span(&header, 1)), deadline);
-  send(payload, deadline);
+  send(protocol::joined(protocol::RequestHeader{request, payload.size()}, payload), deadline);
   return receive_answer(deadline, most);
 }
 

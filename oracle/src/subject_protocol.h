@@ -137,6 +137,19 @@ private:
   std::vector<std::byte> bytes_;
 };
 
+/// A header and what follows it in one piece: sent in two, the first would wake the other side for
+/// nothing.
+template <class Header>
+[[nodiscard]] std::vector<std::byte> joined(const Header& header,
+                                            std::span<const std::byte> payload) {
+  const auto front = std::as_bytes(std::span(&header, 1));
+  std::vector<std::byte> message;
+  message.reserve(front.size() + payload.size());
+  message.insert(message.end(), front.begin(), front.end());
+  message.insert(message.end(), payload.begin(), payload.end());
+  return message;
+}
+
 /// A message as it is read. What is not there reads as 0, and the message is not whole then.
 class Reader {
 public:
