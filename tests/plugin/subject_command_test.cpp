@@ -2,6 +2,10 @@
 #include "../cli/oracle_process.h"
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -83,6 +87,43 @@ TEST(SubjectOption, LeadsOutputToStderr) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(json::parse(outcome.out)["violations"], 0);
   EXPECT_THAT(outcome.err, HasSubstr("this is not JSON"));
+}
+
+/// The first child of a process, once it has one.
+pid_t child_of(pid_t parent) {
+  for (int i = 0; i < 1000; ++i) {
+    const std::filesystem::path tasks = "/proc/" + std::to_string(parent) + "/task";
+    for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+      std::ifstream file(task.path() / "children");
+      if (pid_t child = 0; file >> child) return child;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return 0;
+}
+
+bool is_running(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string id, name, state;
+  return file >> id >> name >> state && state != "Z"; // nobody may have waited for it
+}
+
+TEST(SubjectOption, LeavesNoProcessWhereTheOracleIsKilled) {
+  std::vector<std::string> arguments{
+      LIGHTCUTS_ORACLE, "check", "cloud?lights=20", "--subject", plugin_file("hang_in_bound"),
+      "--time-limit",   "100"};
+  std::vector<char*> argv;
+  for (std::string& a : arguments) argv.push_back(a.data());
+  argv.push_back(nullptr);
+  pid_t oracle = 0;
+  ASSERT_EQ(posix_spawn(&oracle, argv[0], nullptr, nullptr, argv.data(), environ), 0);
+  const pid_t host = child_of(oracle);
+  EXPECT_TRUE(is_running(host));
+  kill(oracle, SIGKILL);
+  waitpid(oracle, nullptr, 0);
+  for (int i = 0; i < 500 && is_running(host); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_FALSE(is_running(host));
 }
 
 TEST(SubjectOption, IsOneOfStressToo) {

@@ -32,6 +32,13 @@
 extern "C" {
 #endif
 
+/// Of what has to be seen where -fvisibility=hidden hides all else.
+#if defined(__GNUC__)
+#define LIGHTCUTS_EXPORT __attribute__((visibility("default")))
+#else
+#define LIGHTCUTS_EXPORT
+#endif
+
 /// What lightcuts_subject.abi_version has to be.
 #define LIGHTCUTS_SUBJECT_ABI_VERSION 1u
 
@@ -184,12 +191,8 @@ typedef struct lightcuts_subject {
   int (*refined_before)(double bound, double other);
 } lightcuts_subject;
 
-#if defined(__GNUC__)
-__attribute__((visibility("default")))
-#endif
 /// What a plug-in exports. The table has to stay where it is.
-const lightcuts_subject*
-lightcuts_subject_v1(void);
+LIGHTCUTS_EXPORT const lightcuts_subject* lightcuts_subject_v1(void);
 
 #ifdef __cplusplus
 }
