@@ -67,8 +67,13 @@ lightcuts_point as_c(const ShadingPoint& point) {
   std::visit([&](const auto& lobe) { set_lobe(c.material, lobe); }, point.material().lobe);
   return c;
 }
-static_assert(sizeof(lightcuts_point) == 20 * 4 && sizeof(lightcuts_light) == 12 * 4,
-              "no padding: compared and sent as bytes");
+
+/// Of floats and 32-bit numbers without padding.
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  using Words = std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)>;
+  return std::bit_cast<Words>(a) == std::bit_cast<Words>(b);
+}
 
 /// The processes of a plug-in that no tree uses, kept for the next.
 class Processes {
@@ -185,7 +190,7 @@ public:
                       const glm::vec3& bound) override {
     look_from(point);
     const std::array<float, 3> given = array_of(bound);
-    if (std::memcmp(&given, &known_bounds().at(node), sizeof given) != 0)
+    if (!same_bits(given, known_bounds().at(node)))
       return dvec3_of(estimates(node, std::span(&given, 1)).front().colour);
     if (estimates_.empty()) estimates_ = estimates(0, known_bounds());
     return dvec3_of(estimates_.at(node).colour);
@@ -256,7 +261,7 @@ private:
     const lightcuts_point next = as_c(point);
     message_.clear();
     message_.put(next);
-    if (point_ && std::memcmp(&*point_, &next, sizeof next) == 0) return;
+    if (point_ && same_bits(*point_, next)) return;
     point_ = next;
     bounds_.clear();
     lower_bounds_.clear();
@@ -399,7 +404,7 @@ private:
 std::filesystem::path default_host() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::filesystem::path beside = program.parent_path() / "lightcuts-subject-host";
+  std::filesystem::path beside = program.parent_path() / "lightcuts-subject-host";
   if (std::filesystem::exists(beside, error)) return beside;
   return LIGHTCUTS_SUBJECT_HOST;
 }

@@ -184,7 +184,7 @@ public:
     return values;
   }
   [[nodiscard]] std::string rest() {
-    const std::string text(reinterpret_cast<const char*>(bytes_.data()), bytes_.size());
+    std::string text(reinterpret_cast<const char*>(bytes_.data()), bytes_.size());
     bytes_ = {};
     return text;
   }

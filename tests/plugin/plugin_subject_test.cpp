@@ -94,7 +94,7 @@ class FaultyPlugin : public testing::TestWithParam<Fault> {};
 
 TEST_P(FaultyPlugin, IsConvictedOfACase) {
   const Fault& fault = GetParam();
-  const auto subject = plugin(fault.plugin, 0.5);
+  const auto subject = plugin(fault.plugin);
   const Tally tally = verdict(*subject);
   EXPECT_GT(tally[fault.property].violations, 0U);
   EXPECT_THAT(tally[fault.property].first_violation, HasSubstr(fault.says));
@@ -106,7 +106,7 @@ TEST_P(FaultyPlugin, IsConvictedOfACase) {
 
 TEST_P(FaultyPlugin, IsConvictedOfItAgain) {
   const Fault& fault = GetParam();
-  const auto subject = plugin(fault.plugin, 0.5);
+  const auto subject = plugin(fault.plugin);
   for (int i = 0; i < 2; ++i) EXPECT_GT(verdict(*subject)[fault.property].violations, 0U);
 }
 
@@ -134,9 +134,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Hangs, FaultyPlugin,
-    testing::Values(Fault{"hang_in_build", answers, "hung for 0.5 s in build()"},
-                    Fault{"hang_in_bound", answers, "hung for 0.5 s in bound() of node 0"},
-                    Fault{"hang_in_select", answers, "hung for 0.5 s in select()"}),
+    testing::Values(Fault{"hang_in_build", answers, "hung for 1 s in build()"},
+                    Fault{"hang_in_bound", answers, "hung for 1 s in bound() of node 0"},
+                    Fault{"hang_in_select", answers, "hung for 1 s in select()"}),
     test_name);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(PluginCheck, ConvictsWhatCrashesAndHangs) {
   for (const char* name : {"crash_in_build", "crash_in_bound", "crash_in_estimate",
                            "crash_in_select", "hang_in_bound", "exit_in_bound"}) {
-    const CheckResult result = checked(*plugin(name, 0.5));
+    const CheckResult result = checked(*plugin(name));
     EXPECT_GE(result.tally[answers].violations, 1U) << name;
     EXPECT_THAT(result.tally[answers].first_violation,
                 StartsWith(std::string("lib") + name + ".so: "));
@@ -239,7 +239,8 @@ std::string refusal(const std::filesystem::path& file, double time_limit = 10) {
 TEST(PluginFile, IsRefusedByItsName) {
   const auto says = [](const std::string& name, const std::string& why) {
     const std::filesystem::path file = plugin_file(name);
-    EXPECT_THAT(refusal(file, 0.5), AllOf(StartsWith(file.string() + ": "), HasSubstr(why)));
+    EXPECT_THAT(refusal(file, patience(name)),
+                AllOf(StartsWith(file.string() + ": "), HasSubstr(why)));
   };
   says("wrong_version", "wrong ABI version 99, expected 1");
   says("small_table", "a table of 16 bytes");
@@ -247,7 +248,7 @@ TEST(PluginFile, IsRefusedByItsName) {
   says("no_table", "returned NULL");
   says("no_symbol", "does not export lightcuts_subject_v1()");
   says("crash_in_load", "crashed (signal 11, Segmentation fault) while it was loaded");
-  says("hang_in_load", "hung for 0.5 s while it was loaded");
+  says("hang_in_load", "hung for 1 s while it was loaded");
   says("no such file", "no such file");
 }
 
@@ -263,9 +264,9 @@ TEST(PluginFile, IsRefusedWhereItIsNoLibrary) {
 
 TEST(PluginProcess, IsKilledAtTheTimeLimit) {
   const auto start = std::chrono::steady_clock::now();
-  const auto subject = plugin("hang_in_build", 0.2);
+  const auto subject = plugin("hang_in_build");
   EXPECT_THROW((void)subject->build(three_lights().light_set(), 1), SubjectFailure);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
 }
 
 TEST(PluginProcess, EndsWithItsSubject) {

@@ -62,9 +62,9 @@ TEST(SubjectOption, ConvictsInOnePiece) {
 }
 
 TEST(SubjectOption, ConvictsWhatHangs) {
-  const Outcome outcome = judged(plugin_file("hang_in_select"), {"--time-limit", "0.5"});
+  const Outcome outcome = judged(plugin_file("hang_in_select"), {"--time-limit", "1"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.out, HasSubstr("libhang_in_select.so: hung for 0.5 s in select()"));
+  EXPECT_THAT(outcome.out, HasSubstr("libhang_in_select.so: hung for 1 s in select()"));
 }
 
 TEST(SubjectOption, RefusesWhatIsNoTree) {
