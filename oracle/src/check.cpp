@@ -63,6 +63,8 @@ std::vector<Lobe> parts_of(const Scene& scene) {
 
 // Exact cuts cost N log N, the others much less: one point in eight has one.
 constexpr std::uint64_t points_per_exact_cut = 8;
+// So does asking for the probabilities of all lights of all clusters, and more.
+constexpr std::uint64_t points_per_probabilities = 64;
 
 void check_point(const SceneView& view, Parts parts, const Topology& topology, const Cuts& cuts,
                  std::uint64_t place, const VisiblePoint& p, std::uint64_t seed, Worker& w) {
@@ -73,6 +75,8 @@ void check_point(const SceneView& view, Parts parts, const Topology& topology, c
   const Judged judged{*w.tree, parts};
   check_clusters(judged, at, w.tally);
   check_material(at, lights, seed + 2, w.tally);
+  if (judged.has(Part::sampling) && place % points_per_probabilities == 0)
+    check_probabilities(judged, at, w.tally);
   if (!judged.has(Part::cuts)) return;
 
   const auto visible = [&w](std::uint32_t light) {
@@ -117,6 +121,8 @@ CheckResult check(const SceneView& view, const Subject& subject, const CheckConf
   std::unique_ptr<SubjectTree> tree;
   std::optional<Topology> topology;
   const bool is_built = answers(0, result.tally, [&] {
+    if (has(subject.parts(), Part::refinement_order))
+      check_refinement_order(subject, 0, result.tally);
     tree = subject.build(lights, config.tree_seed);
     topology = check_tree(tree->claim(), lights, 0, result.tally);
   });

@@ -194,6 +194,16 @@ TEST(PluginCheck, PassesTheExample) {
   EXPECT_THAT(broken(result.tally), IsEmpty());
   EXPECT_GT(result.tally[Property::bound_dominates_error].cases, 1000U);
   EXPECT_GT(result.tally[Property::zero_threshold_is_exact].cases, 0U);
+  EXPECT_GT(result.tally[Property::probabilities_sum_to_one].cases, 0U);
+  EXPECT_GT(result.tally[Property::refinement_order_is_strict].cases, 0U);
+}
+
+TEST(PluginCheck, JudgesSamplingAlone) {
+  const CheckResult result = checked(*plugin("only_sampling"));
+  EXPECT_THAT(broken(result.tally), IsEmpty());
+  EXPECT_GT(result.tally[Property::probabilities_sum_to_one].cases, 0U);
+  EXPECT_EQ(result.tally[Property::bound_dominates_contribution].cases, 0U);
+  EXPECT_GT(checked(*plugin("nan_probability")).tally[finite].violations, 0U);
 }
 
 // ---- parts
