@@ -21,23 +21,24 @@ namespace {
 
 using oracle::CheckResult;
 
-struct CheckOptions : CommonOptions {
-  std::string subject = "lightcuts";
-};
+struct CheckOptions : CommonOptions, SubjectOptions {};
 
-std::string table_of(const Scene& scene, const CheckResult& result, const CutConfig& cut) {
+std::string table_of(const Scene& scene, const oracle::Subject& subject, const CheckResult& result,
+                     const CutConfig& cut) {
   return fmt::format("{}: {} lights, {} triangles, threshold {:g} %\n{} (node, point) pairs at {} "
                      "points, {} rays ({} too close to call), {:.1f} s\n\n{}",
                      scene.name, scene.lights.size(), scene.mesh.triangles.size(),
                      100 * double(cut.threshold), result.pairs, result.points, result.rays,
-                     result.undecided_rays, result.seconds, property_table(result.tally));
+                     result.undecided_rays, result.seconds, property_table(result.tally, subject));
 }
 
-std::string json_of(const CheckOptions& options, const CheckResult& result, const CutConfig& cut,
+std::string json_of(const CheckOptions& options, const oracle::Subject& subject,
+                    const CheckResult& result, const CutConfig& cut,
                     const std::optional<CounterexampleFile>& file) {
   nlohmann::ordered_json json{{"schema", "lightcuts-oracle/check/1"},
                               {"scene", options.scene},
                               {"subject", full_name(options.subject)},
+                              {"not_judged", oracle::names_without(subject.parts())},
                               {"seed", options.seed},
                               {"threshold", std::stod(fmt::format("{}", cut.threshold))},
                               {"points", result.points},
@@ -72,7 +73,7 @@ CheckResult checked(const CheckOptions& options, const SceneView& view,
 }
 
 int run(const CheckOptions& options) {
-  const std::unique_ptr<oracle::Subject> subject = subject_named(options.subject);
+  const std::unique_ptr<oracle::Subject> subject = subject_for(options);
   JsonFolder folder(options);
   const Scene scene = open_lit_scene_for(options);
   const SceneView view(scene);
@@ -83,9 +84,10 @@ int run(const CheckOptions& options) {
   std::optional<CounterexampleFile> file;
   if (const auto found = counterexample_of(*subject, view, config, result))
     file.emplace(*subject, full_name(options.subject), *found, output_folder_for(options));
-  const std::string json = json_of(options, result, config.cut, file);
+  const std::string json = json_of(options, *subject, result, config.cut, file);
   folder.write("check.json", json);
-  print_results(options, table_of(scene, result, config.cut) + counterexample_text(result, file),
+  print_results(options,
+                table_of(scene, *subject, result, config.cut) + counterexample_text(result, file),
                 json);
   return exit_code_for(result.tally, *subject);
 }
@@ -100,7 +102,7 @@ void add_check_command(CLI::App& app, Action& chosen) {
   add_threshold_option(*command, *options);
   add_json_folder_option(*command, *options);
   add_cases_option(*command, *options);
-  add_subject_option(*command, options->subject);
+  add_subject_options(*command, *options);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

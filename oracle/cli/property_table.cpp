@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "property_table.h"
 
+#include <vector>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "common.h"
 #include "subjects.h"
@@ -29,7 +32,7 @@ std::string summary(const oracle::Tally& tally) {
 
 } // namespace
 
-std::string property_table(const oracle::Tally& tally) {
+std::string property_table(const oracle::Tally& tally, const oracle::Subject& subject) {
   std::string text =
       fmt::format("{:<31}{:>12}{:>12}{:>13}\n", "property", "cases", "violations", "worst ratio");
   for (std::size_t i = 0; i < oracle::property_count; ++i) {
@@ -41,6 +44,10 @@ std::string property_table(const oracle::Tally& tally) {
                           info(Property(i)).severity == Severity::waste ? ", a waste" : "",
                           count.first_violation);
   }
+  const std::vector<std::string> absent = oracle::names_without(subject.parts());
+  if (!absent.empty())
+    text += fmt::format("\nnot judged: {} ({} does not offer them)\n", fmt::join(absent, ", "),
+                        subject.name());
   return text + "\n" + summary(tally);
 }
 

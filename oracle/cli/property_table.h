@@ -10,8 +10,9 @@
 namespace lightcuts::cli {
 
 /// A line per property with its cases, violations and worst ratio, and what the first violation is;
-/// then what that amounts to.
-[[nodiscard]] std::string property_table(const oracle::Tally& tally);
+/// then which parts the subject does not offer, and what all that amounts to.
+[[nodiscard]] std::string property_table(const oracle::Tally& tally,
+                                         const oracle::Subject& subject);
 
 /// The same as a list.
 [[nodiscard]] nlohmann::ordered_json properties_json(const oracle::Tally& tally);

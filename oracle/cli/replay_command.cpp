@@ -60,7 +60,7 @@ int run(const ReplayOptions& options) {
     fmt::print("{}", oracle::as_test(saved));
     return all_holds;
   }
-  const std::unique_ptr<oracle::Subject> subject = subject_named(saved.subject);
+  const std::unique_ptr<oracle::Subject> subject = subject_for({.subject = saved.subject});
   oracle::Tally tally;
   check_case(*subject, saved.counterexample.on, 0, tally);
   print_results(options, text_for(*subject, saved, tally), json_of(options, saved, tally));
@@ -77,7 +77,7 @@ void add_replay_command(CLI::App& app, Action& chosen) {
   command->add_option("FILE", options->file, "counterexample-PROPERTY.json of 'check' or 'stress'")
       ->required();
   command->add_option("--subject", options->subject,
-                      "whom to judge: lightcuts, paper or mutant:NAME; default: the file's");
+                      "whom to judge, as check and stress have it; default: the file's");
   command->add_flag("--as-test", options->as_test,
                     "print a GoogleTest case to paste instead, and judge nothing");
   add_json_option(*command, *options);

@@ -16,9 +16,7 @@
 namespace lightcuts::cli {
 namespace {
 
-struct StressOptions : CommonOptions {
-  std::string subject = "lightcuts";
-};
+struct StressOptions : CommonOptions, SubjectOptions {};
 
 oracle::HuntResult hunted(const StressOptions& options, const oracle::Subject& subject) {
   oracle::HuntConfig config;
@@ -46,21 +44,24 @@ std::string stress_command(const StressOptions& options, std::uint64_t cases) {
                      quoted(full_name(options.subject)), options.seed, cases);
 }
 
-std::string table_of(const StressOptions& options, const oracle::HuntResult& result,
+std::string table_of(const StressOptions& options, const oracle::Subject& subject,
+                     const oracle::HuntResult& result,
                      const std::optional<CounterexampleFile>& file) {
-  std::string text =
-      fmt::format("{}: {} random cases of seed {}, {:.1f} s\n\n{}", full_name(options.subject),
-                  result.cases, options.seed, result.seconds, property_table(result.tally));
+  std::string text = fmt::format("{}: {} random cases of seed {}, {:.1f} s\n\n{}",
+                                 full_name(options.subject), result.cases, options.seed,
+                                 result.seconds, property_table(result.tally, subject));
   if (file)
     text +=
         file->text() + fmt::format("find it again:\n  {}\n", stress_command(options, result.cases));
   return text;
 }
 
-std::string json_of(const StressOptions& options, const oracle::HuntResult& result,
+std::string json_of(const StressOptions& options, const oracle::Subject& subject,
+                    const oracle::HuntResult& result,
                     const std::optional<CounterexampleFile>& file) {
   nlohmann::ordered_json json{{"schema", "lightcuts-oracle/stress/1"},
                               {"subject", full_name(options.subject)},
+                              {"not_judged", oracle::names_without(subject.parts())},
                               {"seed", options.seed},
                               {"cases", result.cases}};
   json["properties"] = properties_json(result.tally);
@@ -74,12 +75,13 @@ std::string json_of(const StressOptions& options, const oracle::HuntResult& resu
 
 int run(const StressOptions& options) {
   require_writable_json(options);
-  const std::unique_ptr<oracle::Subject> subject = subject_named(options.subject);
+  const std::unique_ptr<oracle::Subject> subject = subject_for(options);
   const oracle::HuntResult result = hunted(options, *subject);
   std::optional<CounterexampleFile> file;
   if (const auto found = counterexample_of(result, options.seed))
     file.emplace(*subject, full_name(options.subject), *found, options.out);
-  print_results(options, table_of(options, result, file), json_of(options, result, file));
+  print_results(options, table_of(options, *subject, result, file),
+                json_of(options, *subject, result, file));
   return exit_code_for(result.tally, *subject);
 }
 
@@ -96,7 +98,7 @@ void add_stress_command(CLI::App& app, Action& chosen) {
       ->check(check_count)
       ->capture_default_str();
   add_seed_option(*command, *options);
-  add_subject_option(*command, options->subject);
+  add_subject_options(*command, *options);
   command->add_option("--out", options->out, "folder for counterexample-PROPERTY.json")
       ->capture_default_str();
   add_json_option(*command, *options);

@@ -302,7 +302,8 @@ private:
       return of_.cut.*field != usual.*field && with([&](Case& c) { c.cut.*field = usual.*field; });
     };
     return reset(&CutConfig::threshold) || reset(&CutConfig::max_size) ||
-           reset(&CutConfig::black_level) || (of_.draws && with([](Case& c) { c.draws = false; })) ||
+           reset(&CutConfig::black_level) ||
+           (of_.draws && with([](Case& c) { c.draws = false; })) ||
            (of_.seed != 1 && with([](Case& c) { c.seed = 1; }));
   }
 

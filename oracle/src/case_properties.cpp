@@ -142,10 +142,14 @@ void check_agreement(const Judged& judged, const CutConfig& cut, const PointCase
   std::string difference;
   const auto compare = [&](SubjectTree& tree, const char* who) {
     if (!difference.empty()) return;
-    if (judged.has(Part::bounds))
+    if (judged.has(Part::bounds)) {
+      std::vector<glm::vec3> first(nodes), again(nodes);
+      judged.tree.bounds(at.point, first);
+      tree.bounds(at.point, again);
       for (std::uint32_t i = 0; i < nodes; ++i)
-        if (!same_bits(judged.tree.bound(i, at.point), tree.bound(i, at.point)))
+        if (!same_bits(first[i], again[i]))
           difference = fmt::format("{}: another bound of node {} from {}", at_point(at), i, who);
+    }
     if (judged.has(Part::cuts)) {
       const Cut first = judged.tree.select(at.point, cut, visible);
       const glm::vec3 radiance = first.radiance, error = first.certified_error;

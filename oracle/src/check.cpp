@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <mutex>
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -35,12 +36,9 @@ struct Cuts {
 struct Worker {
   Tally tally;
   Truth truth;
-  std::unique_ptr<SubjectTree> tree;
+  std::unique_ptr<SubjectTree> tree; ///< made where it is wanted: a subject may fail to
   std::vector<char> visible;
   RayCount rays;
-
-  Worker(const SubjectTree& of, std::size_t lights)
-      : tree(of.for_another_thread()), visible(lights) {}
 };
 
 // Of the lights, so many at each point.
@@ -65,6 +63,8 @@ std::vector<Lobe> parts_of(const Scene& scene) {
 
 // Exact cuts cost N log N, the others much less: one point in eight has one.
 constexpr std::uint64_t points_per_exact_cut = 8;
+// So does asking for the probabilities of all lights of all clusters, and more.
+constexpr std::uint64_t points_per_probabilities = 64;
 
 void check_point(const SceneView& view, Parts parts, const Topology& topology, const Cuts& cuts,
                  std::uint64_t place, const VisiblePoint& p, std::uint64_t seed, Worker& w) {
@@ -75,6 +75,8 @@ void check_point(const SceneView& view, Parts parts, const Topology& topology, c
   const Judged judged{*w.tree, parts};
   check_clusters(judged, at, w.tally);
   check_material(at, lights, seed + 2, w.tally);
+  if (judged.has(Part::sampling) && place % points_per_probabilities == 0)
+    check_probabilities(judged, at, w.tally);
   if (!judged.has(Part::cuts)) return;
 
   const auto visible = [&w](std::uint32_t light) {
@@ -86,6 +88,20 @@ void check_point(const SceneView& view, Parts parts, const Topology& topology, c
   check_selected(cuts.config);
   check_selected(cuts.small);
   if (place % points_per_exact_cut == 0) check_selected(cuts.exact);
+}
+
+/// Records what the work throws as SubjectFailure, and whether it did not.
+template <class Work>
+bool answers(std::uint64_t place, Tally& tally, Work&& work) {
+  std::string failure;
+  try {
+    work();
+  } catch (const SubjectFailure& e) {
+    failure = e.what();
+  }
+  tally.record(Property::subject_answers, failure.empty(), place, no_ratio,
+               [&] { return failure; });
+  return failure.empty();
 }
 
 /// Enough for about a second of brute force.
@@ -102,9 +118,15 @@ CheckResult check(const SceneView& view, const Subject& subject, const CheckConf
   const LightSet& lights = view.scene().lights;
   if (lights.empty()) throw InputError(view.scene().name + ": no lights");
   CheckResult result;
-  const std::unique_ptr<SubjectTree> tree = subject.build(lights, config.tree_seed);
-  const std::optional<Topology> topology = check_tree(tree->claim(), lights, 0, result.tally);
-  if (!topology) return result;
+  std::unique_ptr<SubjectTree> tree;
+  std::optional<Topology> topology;
+  const bool is_built = answers(0, result.tally, [&] {
+    if (has(subject.parts(), Part::refinement_order))
+      check_refinement_order(subject, 0, result.tally);
+    tree = subject.build(lights, config.tree_seed);
+    topology = check_tree(tree->claim(), lights, 0, result.tally);
+  });
+  if (!is_built || !topology) return result;
 
   result.points = config.pairs / topology->size() + (config.pairs % topology->size() != 0);
   result.pairs = result.points * topology->size();
@@ -112,13 +134,23 @@ CheckResult check(const SceneView& view, const Subject& subject, const CheckConf
   const std::uint64_t rays =
       has(subject.parts(), Part::occlusion) ? rays_to_check(view.scene()) : 0;
   std::atomic<std::uint64_t> done = 0;
-  tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(*tree, lights.size()); });
+  tbb::enumerable_thread_specific<Worker> workers;
+  std::atomic<bool> failed = false; // one that has failed once is asked no more
+  std::mutex tree_mutex;            // copies of one tree are made one at a time
 
+  const auto check_one = [&](std::uint64_t i, const VisiblePoint& p, Worker& w) {
+    if (!w.tree) {
+      const std::lock_guard lock(tree_mutex);
+      w.tree = tree->for_another_thread();
+      w.visible.resize(lights.size());
+    }
+    check_point(view, subject.parts(), *topology, cuts, i, p, config.seed, w);
+  };
   const auto check_points = [&](const tbb::blocked_range<std::uint64_t>& range) {
     Worker& w = workers.local();
-    for (std::uint64_t i = range.begin(); i < range.end(); ++i) {
+    for (std::uint64_t i = range.begin(); i < range.end() && !failed; ++i) {
       const VisiblePoint p = random_point(view, config.seed, i);
-      check_point(view, subject.parts(), *topology, cuts, i, p, config.seed, w);
+      if (!answers(i, w.tally, [&] { check_one(i, p, w); })) failed = true;
       // The rays, dealt out evenly to the points.
       for (std::uint64_t r = i * rays / result.points; r < (i + 1) * rays / result.points; ++r)
         check_ray(subject, view, p,

@@ -41,9 +41,13 @@ void check_partition(const Cut& cut, const PointCase& at, Tally& tally) {
   // Clusters below another one of the cut, and repeated ones, were not met.
   tally.record(Property::cut_partitions_lights, missed == 0 && met == in_cut.size(), at.place,
                no_ratio, [&] {
-                 return fmt::format("{}: {} lights in no cluster, {} clusters repeated or inside "
-                                    "others",
-                                    at_point(at), missed, in_cut.size() - met);
+                 std::string text = fmt::format("{}: {} lights in no cluster, {} clusters repeated "
+                                                "or inside others",
+                                                at_point(at), missed, in_cut.size() - met);
+                 if (!in_cut.empty() && in_cut.back() >= tree.size())
+                   text += fmt::format(", or beyond the {} nodes there are: {}", tree.size(),
+                                       in_cut.back());
+                 return text;
                });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <string>
@@ -54,9 +55,8 @@ void check_sum(const PointCase& at, std::uint32_t node, std::span<const double> 
                });
 }
 
-void check_drawn(const Judged& judged, const PointCase& at, std::uint32_t node, double u,
+void check_drawn(const PointCase& at, std::uint32_t node, double u, const DrawnLight& drawn,
                  std::span<const std::uint32_t> lights, std::span<const double> p, Tally& tally) {
-  const DrawnLight drawn = judged.tree.sample(node, at.point, u);
   if (drawn.probability == 0) return;
   const auto found = std::find(lights.begin(), lights.end(), drawn.light);
   const double stated = found == lights.end() ? 0 : p[std::size_t(found - lights.begin())];
@@ -108,11 +108,18 @@ std::size_t brightest(const Wide& w) {
 void check_frequencies(const Judged& judged, const PointCase& at, const Lottery& lottery,
                        std::uint64_t draws, double rate, std::uint64_t seed, Tally& tally) {
   std::vector<std::uint64_t> counts(lottery.lights.size(), 0);
-  for (std::uint64_t i = 0; i < draws; ++i) {
-    const DrawnLight drawn = judged.tree.sample(lottery.node, at.point, uniform(seed, i));
-    if (drawn.probability == 0) continue;
-    const auto found = std::find(lottery.lights.begin(), lottery.lights.end(), drawn.light);
-    if (found != lottery.lights.end()) ++counts[std::size_t(found - lottery.lights.begin())];
+  std::vector<double> random;
+  std::vector<DrawnLight> drawn;
+  for (std::uint64_t done = 0; done < draws; done += random.size()) {
+    random.resize(std::min<std::uint64_t>(draws - done, 4096));
+    for (std::size_t i = 0; i < random.size(); ++i) random[i] = uniform(seed, done + i);
+    drawn.resize(random.size());
+    judged.tree.samples(lottery.node, at.point, random, drawn);
+    for (const DrawnLight& one : drawn) {
+      if (one.probability == 0) continue;
+      const auto found = std::find(lottery.lights.begin(), lottery.lights.end(), one.light);
+      if (found != lottery.lights.end()) ++counts[std::size_t(found - lottery.lights.begin())];
+    }
   }
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double p = lottery.p[i];
@@ -176,7 +183,13 @@ void check_probabilities(const Judged& judged, const PointCase& at, Tally& tally
                    });
     }
     check_sum(at, node, p, all_shine, tally);
-    for (int i = 0; i < 8; ++i) check_drawn(judged, at, node, (i + 0.5) / 8, lights, p, tally);
+    std::array<double, 8> random;
+    for (std::size_t i = 0; i < random.size(); ++i)
+      random[i] = (double(i) + 0.5) / double(random.size());
+    std::array<DrawnLight, random.size()> drawn;
+    judged.tree.samples(node, at.point, random, drawn);
+    for (std::size_t i = 0; i < random.size(); ++i)
+      check_drawn(at, node, random[i], drawn[i], lights, p, tally);
   }
 }
 

@@ -36,6 +36,14 @@ const char* name_of(Part part) {
   return "random cuts";
 }
 
+std::vector<std::string> names_without(Parts parts) {
+  std::vector<std::string> names;
+  for (int i = 0; i < part_count; ++i)
+    if (const auto part = Part(1U << unsigned(i)); !has(parts, part))
+      names.emplace_back(name_of(part));
+  return names;
+}
+
 glm::vec3 SubjectTree::bound(std::uint32_t, const ShadingPoint&) { not_a_part(Part::bounds); }
 
 void SubjectTree::bounds(const ShadingPoint& point, std::span<glm::vec3> out) {
@@ -57,6 +65,11 @@ Cut SubjectTree::select(const ShadingPoint&, const CutConfig&,
 
 DrawnLight SubjectTree::sample(std::uint32_t, const ShadingPoint&, double) {
   not_a_part(Part::sampling);
+}
+
+void SubjectTree::samples(std::uint32_t node, const ShadingPoint& point, std::span<const double> u,
+                          std::span<DrawnLight> out) {
+  for (std::size_t i = 0; i < u.size(); ++i) out[i] = sample(node, point, u[i]);
 }
 
 double SubjectTree::probability(std::uint32_t, const ShadingPoint&, std::uint32_t) {

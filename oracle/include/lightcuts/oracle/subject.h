@@ -42,6 +42,8 @@ using Parts = unsigned;
 [[nodiscard]] constexpr Parts only(Part part) { return unsigned(part); }
 [[nodiscard]] constexpr bool has(Parts parts, Part part) { return (parts & only(part)) != 0; }
 [[nodiscard]] const char* name_of(Part part);
+/// Names of all that are not among them.
+[[nodiscard]] std::vector<std::string> names_without(Parts parts);
 
 /// A light drawn from a cluster.
 struct DrawnLight {
@@ -79,6 +81,9 @@ public:
                      const std::function<bool(std::uint32_t)>& visible);
   /// Draws one of the cluster's lights by a random number u in [0, 1).
   virtual DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u);
+  /// The same for many random numbers, of which `out` has as many.
+  virtual void samples(std::uint32_t node, const ShadingPoint& point, std::span<const double> u,
+                       std::span<DrawnLight> out);
   /// The probability with which sample() draws the light.
   virtual double probability(std::uint32_t node, const ShadingPoint& point, std::uint32_t light);
   /// The same of several lights.

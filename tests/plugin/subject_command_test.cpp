@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "../cli/oracle_process.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "plugins.h"
+
+namespace lightcuts {
+namespace {
+
+using nlohmann::json;
+using oracle::plugin_file;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Outcome judged(const std::string& file, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{"check", "cloud?lights=20", "--size", "16x12", "--cases",
+                                     "500",   "--subject",       file};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return OracleProcess().run(arguments);
+}
+
+TEST(SubjectOption, JudgesAForeignTree) {
+  const Outcome outcome = judged(LIGHTCUTS_BRUTE_TREE);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("All properties hold."),
+                    HasSubstr("not judged: occlusion, pictures (brute tree (libbrute_tree.so) "
+                              "does not offer them)")));
+}
+
+TEST(SubjectOption, TellsWhatWasNotJudged) {
+  const Outcome outcome = judged(plugin_file("only_bounds"), {"--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(result["subject"], "libonly_bounds.so");
+  EXPECT_THAT(result["not_judged"], ElementsAre("lower bounds", "estimates", "cuts", "sampling",
+                                                "refinement order", "occlusion", "pictures"));
+}
+
+TEST(SubjectOption, ConvictsInOnePiece) {
+  for (const char* name : {"crash_in_build", "crash_in_bound", "crash_in_select", "exit_in_bound",
+                           "nan_bound", "child_cycle", "many_nodes", "half_bound"}) {
+    const Outcome outcome = judged(plugin_file(name));
+    EXPECT_EQ(outcome.exit_code, 1) << name;
+    EXPECT_EQ(outcome.err, "") << name;
+    EXPECT_THAT(outcome.out, HasSubstr("violations.")) << name;
+  }
+  EXPECT_THAT(
+      judged(plugin_file("crash_in_bound")).out,
+      HasSubstr("libcrash_in_bound.so: crashed (signal 11, Segmentation fault) in bound()"));
+}
+
+TEST(SubjectOption, ConvictsWhatHangs) {
+  const Outcome outcome = judged(plugin_file("hang_in_select"), {"--time-limit", "1"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("libhang_in_select.so: hung for 1 s in select()"));
+}
+
+TEST(SubjectOption, RefusesWhatIsNoTree) {
+  for (const char* name :
+       {"wrong_version", "no_symbol", "no_function", "crash_in_load", "nowhere"}) {
+    const Outcome outcome = judged(plugin_file(name));
+    EXPECT_EQ(outcome.exit_code, 3) << name;
+    EXPECT_EQ(outcome.out, "") << name;
+    EXPECT_THAT(outcome.err, HasSubstr("lightcuts-oracle: " + plugin_file(name).string() + ": "));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+  EXPECT_EQ(judged("").exit_code, 3);
+  EXPECT_EQ(judged(LIGHTCUTS_BRUTE_TREE, {"--time-limit", "0"}).exit_code, 2);
+  EXPECT_EQ(OracleProcess().run({"check", "--time-limit", "1"}).exit_code, 2);
+}
+
+// In a subject's way, not in that of the results.
+TEST(SubjectOption, LeadsOutputToStderr) {
+  const Outcome outcome = judged(plugin_file("prints"), {"--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(json::parse(outcome.out)["violations"], 0);
+  EXPECT_THAT(outcome.err, HasSubstr("this is not JSON"));
+}
+
+/// The first child of a process, once it has one.
+pid_t child_of(pid_t parent) {
+  for (int i = 0; i < 1000; ++i) {
+    const std::filesystem::path tasks = "/proc/" + std::to_string(parent) + "/task";
+    for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+      std::ifstream file(task.path() / "children");
+      if (pid_t child = 0; file >> child) return child;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return 0;
+}
+
+bool is_running(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string id, name, state;
+  return file >> id >> name >> state && state != "Z"; // nobody may have waited for it
+}
+
+TEST(SubjectOption, LeavesNoProcessWhereTheOracleIsKilled) {
+  std::vector<std::string> arguments{
+      LIGHTCUTS_ORACLE, "check", "cloud?lights=20", "--subject", plugin_file("hang_in_bound"),
+      "--time-limit",   "100"};
+  std::vector<char*> argv;
+  for (std::string& a : arguments) argv.push_back(a.data());
+  argv.push_back(nullptr);
+  pid_t oracle = 0;
+  ASSERT_EQ(posix_spawn(&oracle, argv[0], nullptr, nullptr, argv.data(), environ), 0);
+  const pid_t host = child_of(oracle);
+  EXPECT_TRUE(is_running(host));
+  kill(oracle, SIGKILL);
+  waitpid(oracle, nullptr, 0);
+  for (int i = 0; i < 500 && is_running(host); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_FALSE(is_running(host));
+}
+
+TEST(SubjectOption, IsOneOfStressToo) {
+  const OracleProcess oracle;
+  const std::vector<std::string> stress{"stress", "--cases", "50", "--subject"};
+  const auto run = [&](const std::string& file) {
+    std::vector<std::string> arguments = stress;
+    arguments.push_back(file);
+    return oracle.run(arguments);
+  };
+  EXPECT_EQ(run(LIGHTCUTS_BRUTE_TREE).exit_code, 0);
+  const Outcome half = run(plugin_file("half_bound"));
+  EXPECT_EQ(half.exit_code, 1);
+  EXPECT_THAT(half.out, HasSubstr("bound-dominates-contribution"));
+  EXPECT_EQ(run(plugin_file("no_symbol")).exit_code, 3);
+}
+
+} // namespace
+} // namespace lightcuts
