@@ -52,6 +52,47 @@ bool same_bits(const glm::dvec3& a, const glm::dvec3& b) {
   return true;
 }
 
+// ---- what differs between two trees that should be the same; nothing where they agree
+
+std::string differing_cluster(const Judged& judged, SubjectTree& other, const PointCase& at) {
+  if (!judged.has(Part::bounds)) return {};
+  // All at once: single answers may be kept from the last time.
+  std::vector<glm::vec3> bounds(at.topology().size()), again(bounds.size());
+  judged.tree.bounds(at.point, bounds);
+  other.bounds(at.point, again);
+  for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+    if (!same_bits(bounds[i], again[i])) return fmt::format("bound of node {}", i);
+    if (judged.has(Part::estimates) && !same_bits(judged.tree.estimate(i, at.point, bounds[i]),
+                                                  other.estimate(i, at.point, bounds[i])))
+      return fmt::format("estimate of node {}", i);
+  }
+  return {};
+}
+
+std::string differing_cut(const Judged& judged, SubjectTree& other, const CutConfig& config,
+                          const PointCase& at) {
+  if (!judged.has(Part::cuts)) return {};
+  const auto visible = [&at](std::uint32_t light) {
+    return light < at.visible.size() && at.visible[light] != 0;
+  };
+  const Cut cut = judged.tree.select(at.point, config, visible);
+  const glm::vec3 radiance = cut.radiance, error = cut.certified_error;
+  const std::vector<std::uint32_t> clusters = nodes_of(cut);
+  const Cut again = other.select(at.point, config, visible);
+  const bool same = same_bits(radiance, again.radiance) && same_bits(error, again.certified_error);
+  return same && clusters == nodes_of(again) ? "" : "cut";
+}
+
+std::string differing_draw(const Judged& judged, SubjectTree& other, const PointCase& at) {
+  if (!judged.has(Part::sampling)) return {};
+  for (const double u : {0.0, 0.3, 0.7, 1 - 0x1p-53}) {
+    const DrawnLight a = judged.tree.sample(0, at.point, u), b = other.sample(0, at.point, u);
+    if (a.light != b.light || a.probability != b.probability)
+      return fmt::format("light drawn by u = {}", u);
+  }
+  return {};
+}
+
 } // namespace
 
 void check_cost(const Topology& topology, const LightSet& lights, std::uint64_t place,
@@ -135,37 +176,13 @@ void check_refinement_order(const Subject& subject, std::uint64_t place, Tally& 
 void check_agreement(const Judged& judged, const CutConfig& cut, const PointCase& at,
                      Tally& tally) {
   const std::unique_ptr<SubjectTree> other = judged.tree.for_another_thread();
-  const std::uint32_t nodes = at.topology().size();
-  const auto visible = [&at](std::uint32_t light) {
-    return light < at.visible.size() && at.visible[light] != 0;
-  };
   std::string difference;
   const auto compare = [&](SubjectTree& tree, const char* who) {
-    if (!difference.empty()) return;
-    if (judged.has(Part::bounds)) {
-      std::vector<glm::vec3> first(nodes), again(nodes);
-      judged.tree.bounds(at.point, first);
-      tree.bounds(at.point, again);
-      for (std::uint32_t i = 0; i < nodes; ++i)
-        if (!same_bits(first[i], again[i]))
-          difference = fmt::format("{}: another bound of node {} from {}", at_point(at), i, who);
-    }
-    if (judged.has(Part::cuts)) {
-      const Cut first = judged.tree.select(at.point, cut, visible);
-      const glm::vec3 radiance = first.radiance, error = first.certified_error;
-      const std::vector<std::uint32_t> clusters = nodes_of(first);
-      const Cut again = tree.select(at.point, cut, visible);
-      if (!same_bits(radiance, again.radiance) || !same_bits(error, again.certified_error) ||
-          clusters != nodes_of(again))
-        difference = fmt::format("{}: another cut from {}", at_point(at), who);
-    }
-    if (judged.has(Part::sampling))
-      for (const double u : {0.0, 0.3, 0.7, 1 - 0x1p-53}) {
-        const DrawnLight a = judged.tree.sample(0, at.point, u), b = tree.sample(0, at.point, u);
-        if (a.light != b.light || a.probability != b.probability)
-          difference =
-              fmt::format("{}: another light drawn by u = {} from {}", at_point(at), u, who);
-      }
+    for (const auto& what :
+         {differing_cluster(judged, tree, at), differing_cut(judged, tree, cut, at),
+          differing_draw(judged, tree, at)})
+      if (difference.empty() && !what.empty())
+        difference = fmt::format("{}: another {} from {}", at_point(at), what, who);
   };
   compare(judged.tree, "the same tree, asked again");
   compare(*other, "another thread's tree");

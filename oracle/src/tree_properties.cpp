@@ -17,9 +17,9 @@ void check_intensity(std::uint32_t i, const glm::dvec3& intensity, const Wide& s
   bool holds = true;
   double worst = 0;
   for (int c = 0; c < 3; ++c) {
-    // Each level adds two numbers, rounding by 2^-53; `sum` rounds as well, but less.
-    constexpr long double per_level = 0x1p-53L + std::numeric_limits<long double>::epsilon();
-    const long double allowed = sum[c] * height * per_level;
+    // Each addition rounds by 2^-53; `sum` rounds as well, but less.
+    constexpr long double per_addition = 0x1p-53L + std::numeric_limits<long double>::epsilon();
+    const long double allowed = sum[c] * height * per_addition;
     const long double error = std::abs(intensity[c] - sum[c]);
     holds = holds && error <= allowed;
     worst = std::max(worst, ratio_of(error, allowed));
@@ -50,13 +50,15 @@ std::optional<Topology> check_tree(TreeClaim claim, const LightSet& lights, std:
       belongs = belongs || representative == light;
       for (int c = 0; c < 3; ++c) sums[*i][c] += lights[light].intensity[c];
     }
-    // A leaf of many lights adds many numbers.
-    unsigned height = unsigned(tree.lights(*i).size());
+    unsigned height = 0;
     for (const std::uint32_t child : tree.children(*i)) {
       belongs = belongs || representative == tree.representative(child);
       for (int c = 0; c < 3; ++c) sums[*i][c] += sums[child][c];
-      height = std::max(height, heights[child]) + 1;
+      height = std::max(height, heights[child]);
     }
+    // Of so many terms, one addition less.
+    const std::size_t terms = tree.lights(*i).size() + tree.children(*i).size();
+    height += unsigned(std::max<std::size_t>(terms, 1) - 1);
     heights[*i] = height;
     if (tree.intensity(*i))
       check_intensity(*i, *tree.intensity(*i), sums[*i], height, place, tally);

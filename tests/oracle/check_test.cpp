@@ -5,9 +5,8 @@
 #include <gtest/gtest.h>
 #include <lightcuts/input_error.h>
 #include <lightcuts/oracle/mutants.h>
-#include <lightcuts/tree_builder.h>
 
-#include "judged_point.h"
+#include "made_subject.h"
 #include "small_scene.h"
 
 namespace lightcuts::oracle {
@@ -27,8 +26,7 @@ CheckConfig config_of(std::uint64_t pairs, unsigned threads = 2) {
 
 CheckResult check_library(const Scene& scene, const CheckConfig& config) {
   const SceneView view(scene);
-  const LightTree tree = build(scene.lights);
-  return check(view, *library_subject(tree), config);
+  return check(view, *library_subject(), config);
 }
 
 bool same_counts(const Tally& a, const Tally& b) {
@@ -45,16 +43,14 @@ bool same_counts(const Tally& a, const Tally& b) {
 TEST(Check, FindsNothingWrongWithTheLibrary) {
   const CheckResult result = check_library(shaded_floor_scene(40), config_of(20'000));
   EXPECT_THAT(violated(result.tally), IsEmpty());
-  for (std::size_t i = 0; i < property_count; ++i)
-    EXPECT_GT(result.tally[Property(i)].cases, 0U) << info(Property(i)).name;
+  for (const Property p : reached_by_check) EXPECT_GT(result.tally[p].cases, 0U) << info(p).name;
 }
 
 TEST(Check, CountsTheSameForAnyNumberOfThreads) {
   const Scene scene = shaded_floor_scene(30);
   const SceneView view(scene);
-  const LightTree tree = build(scene.lights);
   // With something to find: the order of violations must not show either.
-  const auto subject = mutants().back().make(tree);
+  const auto subject = mutant_named("intensity-of-representative")->subject();
   const CheckResult one = check(view, *subject, config_of(6'000, 1));
   EXPECT_GT(one.tally.violations(), 0U);
   for (const unsigned threads : {2U, 5U}) {
@@ -63,6 +59,24 @@ TEST(Check, CountsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.rays, many.rays);
     EXPECT_EQ(one.undecided_rays, many.undecided_rays);
   }
+}
+
+/// The library with what it claims of its tree spoilt.
+class NoTree : public LibraryTree {
+public:
+  using LibraryTree::LibraryTree;
+  [[nodiscard]] TreeClaim claim() const override {
+    TreeClaim claim = LibraryTree::claim();
+    claim.children.front() = 1000;
+    return claim;
+  }
+};
+
+TEST(Check, ConvictsWhatIsNoTreeAndAsksItNothingMore) {
+  const Scene scene = floor_scene(10);
+  const CheckResult result = check(SceneView(scene), subject_with<NoTree>(), config_of(1'000));
+  EXPECT_THAT(violated(result.tally), ElementsAre(Property::tree_partitions_lights));
+  EXPECT_EQ(result.points, 0U);
 }
 
 TEST(Check, VisitsAtLeastSoManyPairs) {
@@ -84,29 +98,23 @@ TEST(Check, JudgesTwoCutsAtEachPointAndAnExactOneAtEveryEighth) {
 }
 
 /// The library, but takes every light for seen.
-class BlindSubject : public RulesSubject<LightcutsRules> {
+class BlindTree : public LibraryTree {
 public:
-  using RulesSubject<LightcutsRules>::RulesSubject;
-  [[nodiscard]] std::unique_ptr<Selector> selector(const CutConfig& config) const override {
-    return std::make_unique<BlindSelector>(RulesSubject<LightcutsRules>::selector(config));
+  using LibraryTree::LibraryTree;
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<BlindTree>(shared_tree());
   }
-
-private:
-  struct BlindSelector : Selector {
-    explicit BlindSelector(std::unique_ptr<Selector> of) : library(std::move(of)) {}
-    Cut select(const ShadingPoint& point, const std::function<bool(std::uint32_t)>&) override {
-      return library->select(point, [](std::uint32_t) { return true; });
-    }
-    std::unique_ptr<Selector> library;
-  };
+  Cut select(const ShadingPoint& point, const CutConfig& config,
+             const std::function<bool(std::uint32_t)>&) override {
+    return LibraryTree::select(point, config, [](std::uint32_t) { return true; });
+  }
 };
 
 TEST(Check, ConvictsASubjectThatIgnoresOcclusion) {
   for (const bool shaded : {false, true}) {
     const Scene scene = shaded ? shaded_floor_scene(30) : floor_scene(30);
     const SceneView view(scene);
-    const LightTree tree = build(scene.lights);
-    const Tally tally = check(view, BlindSubject("blind", tree), config_of(6'000)).tally;
+    const Tally tally = check(view, subject_with<BlindTree>(), config_of(6'000)).tally;
     EXPECT_EQ(tally[Property::zero_threshold_is_exact].violations > 0, shaded);
   }
 }
@@ -144,8 +152,7 @@ TEST(Check, ConvictsAnOccluderThatMissesTheLastTriangles) {
   ASSERT_TRUE(view.may_occlude());
   add_quad(scene, {-1.4F, 0.5F, 0.5F}, {-0.4F, 0.5F, 0.5F}, {-0.4F, 0.5F, -0.5F},
            {-1.4F, 0.5F, -0.5F});
-  const LightTree tree = build(scene.lights);
-  const CheckResult result = check(view, *library_subject(tree), config_of(6'000));
+  const CheckResult result = check(view, *library_subject(), config_of(6'000));
   EXPECT_THAT(violated(result.tally), ElementsAre(occlusion));
   EXPECT_THAT(result.tally[occlusion].first_violation,
               testing::HasSubstr("seen, by brute force blocked"));
@@ -155,8 +162,7 @@ TEST(Check, ConvictsAnOccluderThatHasTrianglesTooMany) {
   Scene scene = shaded_floor_scene(30);
   const SceneView view(scene);
   scene.mesh.triangles.resize(2);
-  const LightTree tree = build(scene.lights);
-  const CheckResult result = check(view, *library_subject(tree), config_of(6'000));
+  const CheckResult result = check(view, *library_subject(), config_of(6'000));
   EXPECT_THAT(violated(result.tally), ElementsAre(occlusion));
   EXPECT_THAT(result.tally[occlusion].first_violation,
               testing::HasSubstr("blocked, by brute force seen"));

@@ -10,7 +10,7 @@
 #include "../support/generators.h"
 #include "judged_point.h"
 #include <lightcuts/contribution.h>
-#include <lightcuts/oracle/mutants.h>
+#include <lightcuts/paper_rules.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -49,8 +49,9 @@ std::vector<std::size_t> sizes_of_good_cuts(const JudgedPoint& judged, std::uint
 }
 
 std::size_t found(const JudgedPoint& judged, const Limits& limits) {
-  return clairvoyant_cut_size(*paper_subject(judged.tree), judged.point, judged.visible,
-                              judged.truth, limits.threshold, limits.black_level);
+  RulesTree<PaperRules> paper(judged.tree);
+  return clairvoyant_cut_size({paper, library_parts}, judged.at(), limits.threshold,
+                              limits.black_level);
 }
 
 RC_GTEST_PROP(ClairvoyantCut, IsTheSmallestOfAllGoodCuts, ()) {

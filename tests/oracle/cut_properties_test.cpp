@@ -42,7 +42,8 @@ struct CutToSpoil {
   [[nodiscard]] std::vector<Property> violated() {
     cut.clusters = clusters;
     Tally tally;
-    check_cut(*library_subject(judged.tree), config, cut, judged.at(), tally);
+    LibraryTree library = judged.library();
+    check_cut({library, library_parts}, config, cut, judged.at(), tally);
     return oracle::violated(tally);
   }
 
@@ -72,7 +73,8 @@ RC_GTEST_PROP(CutProperties, HoldForTheLibrary, ()) {
   CutSelector select(judged.tree, given.config);
   const Cut cut = select(judged.point, given.visibility());
   Tally tally;
-  check_cut(*library_subject(judged.tree), given.config, cut, judged.at(), tally);
+  LibraryTree library = judged.library();
+  check_cut({library, library_parts}, given.config, cut, judged.at(), tally);
   for (std::size_t i = 0; i < property_count; ++i)
     RC_ASSERT(tally[Property(i)].first_violation == "");
   for (const Property p : {partitions, obeys, certified, drift, finite})

@@ -58,19 +58,20 @@ Tightness measure(const std::string& kind, const std::string& material) {
   const Scene scene =
       make_builtin("cloud?lights=2000&blocks=0&kind=" + kind + "&material=" + material);
   const LightTree tree = build(scene.lights);
-  const auto library = library_subject(tree);
+  LibraryTree library(tree);
+  const Topology topology = read_topology(claim_of(tree), scene.lights.size()).topology.value();
   const std::vector<char> visible(scene.lights.size(), 1);
   Truth truth;
   std::vector<double> slacks;
   for (std::uint64_t i = 0; i < point_count; ++i) {
     const ShadingPoint point = point_of(scene, i);
-    truth.evaluate(tree, point, visible);
+    truth.evaluate(topology, scene.lights, point, visible);
     for (std::uint32_t node = 0; node < tree.nodes().size(); ++node) {
       const std::uint32_t size = tree.node(node).light_count;
       const Wide& open = truth.open(node);
       const auto sum = double(open[0] + open[1] + open[2]);
       if (size < 2 || size > 64 || sum <= 0) continue;
-      const glm::dvec3 bound(library->bound(node, point));
+      const glm::dvec3 bound(library.bound(node, point));
       slacks.push_back((bound.x + bound.y + bound.z) / sum);
     }
   }

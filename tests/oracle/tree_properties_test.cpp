@@ -18,12 +18,15 @@ using testing::IsEmpty;
 
 constexpr auto conserves = Property::tree_conserves_intensity;
 constexpr auto belongs = Property::representative_belongs;
+constexpr auto partitions = Property::tree_partitions_lights;
 
-Tally judge(const LightTree& tree) {
+Tally judge(TreeClaim claim, const LightSet& lights) {
   Tally tally;
-  check_tree(tree, tally);
+  (void)check_tree(std::move(claim), lights, 7, tally);
   return tally;
 }
+
+Tally judge(const LightTree& tree) { return judge(claim_of(tree), tree.lights()); }
 
 /// What is found wrong with the tree of four lights after `change` of its nodes.
 template <class Change>
@@ -48,7 +51,11 @@ RC_GTEST_PROP(TreeProperties, HoldForTheLibrary, ()) {
   RC_ASSERT(tally[belongs].cases == tree.nodes().size());
 }
 
-TEST(TreeProperties, HaveNothingToSayOfNoTree) { EXPECT_EQ(judge(LightTree())[belongs].cases, 0U); }
+TEST(TreeProperties, HaveNothingToSayOfNoLights) {
+  const Tally tally = judge(LightTree());
+  EXPECT_EQ(tally[partitions].violations, 0U);
+  EXPECT_EQ(tally[belongs].cases, 0U);
+}
 
 TEST(TreeProperties, HoldForTheFourLights) {
   EXPECT_THAT(violated_after([](auto&) {}), IsEmpty());
@@ -81,7 +88,6 @@ TEST(TreeProperties, ConvictAnIntensityThatIsNotANumber) {
 TEST(TreeProperties, ConvictAForeignRepresentative) {
   EXPECT_THAT(violated_after([](auto& nodes) {
                 // A light of one half stands for the other half.
-                std::vector<TreeNode> old = nodes;
                 const std::uint32_t a = nodes[0].first_child;
                 const std::uint32_t inner = nodes[a].is_leaf() ? a + 1 : a;
                 nodes[inner].representative = nodes[inner == a ? a + 1 : a].representative;
@@ -91,10 +97,10 @@ TEST(TreeProperties, ConvictAForeignRepresentative) {
 
 TEST(TreeProperties, ConvictARepresentativeThatIsNoLight) {
   EXPECT_THAT(violated_after([](auto& nodes) { nodes[0].representative = 4; }),
-              ElementsAre(belongs));
+              ElementsAre(partitions));
 }
 
-// Every cluster above still has the representative of one of its children.
+// Every cluster has the representative of one of its children.
 TEST(TreeProperties, ConvictALightInTwoLeaves) {
   const LightTree tree = four_lights();
   std::vector<TreeNode> nodes(tree.nodes().begin(), tree.nodes().end());
@@ -104,15 +110,50 @@ TEST(TreeProperties, ConvictALightInTwoLeaves) {
     nodes[a].representative = nodes[a + 1].representative = node.representative;
     break;
   }
-  EXPECT_EQ(judge(LightTree(tree.lights(), nodes))[belongs].violations, 1U);
+  EXPECT_THAT(violated(judge(LightTree(tree.lights(), nodes))), ElementsAre(partitions, conserves));
 }
 
 TEST(TreeProperties, NameTheNode) {
-  const LightTree tree = four_lights();
-  std::vector<TreeNode> nodes(tree.nodes().begin(), tree.nodes().end());
-  nodes[0].representative = 9;
-  EXPECT_EQ(judge(LightTree(tree.lights(), nodes))[belongs].first_violation,
-            "node 0: representative 9 is not of this cluster");
+  LightSet lights;
+  for (int i = 0; i < 2; ++i) lights.add_omni({0, 0, i}, glm::vec3(1));
+  const TreeClaim of_one{{{.light_count = 1, .representative = 1}}, {}, {0}};
+  const Tally tally = judge(of_one, lights);
+  EXPECT_THAT(violated(tally), ElementsAre(partitions, belongs));
+  EXPECT_EQ(tally[belongs].first_violation, "node 0: representative 1 is not of this cluster");
+  EXPECT_EQ(tally[partitions].first_violation, "light 1 is in 0 leaves");
+}
+
+TEST(TreeProperties, DoNotAskForWhatIsNotSaid) {
+  LightSet lights;
+  lights.add_omni({0, 0, 1}, glm::vec3(1));
+  const Tally tally = judge({{{.light_count = 1}}, {}, {0}}, lights);
+  EXPECT_EQ(tally[partitions].cases, 1U);
+  EXPECT_EQ(tally[belongs].cases + tally[conserves].cases, 0U);
+}
+
+/// A root over `leaves` leaves, which share the lights of intensity 0.1 evenly, in the order of
+/// summation; its intensity is off by so many half ulps of the sum.
+TreeClaim wide_claim(std::uint32_t lights, std::uint32_t leaves, double half_ulps) {
+  TreeClaim claim;
+  const double sum = double(0.1F) * lights;
+  claim.nodes.push_back({.child_count = leaves, .intensity = glm::dvec3(sum)});
+  claim.nodes[0].intensity->x *= 1 + half_ulps * 0x1p-53;
+  for (std::uint32_t i = 0; i < lights; ++i) claim.lights.push_back(i);
+  for (std::uint32_t i = 0; i < leaves; ++i) {
+    claim.nodes.push_back({.first_light = i * (lights / leaves), .light_count = lights / leaves});
+    claim.children.push_back(i + 1);
+  }
+  return claim;
+}
+
+// n terms are n - 1 additions, however they are spread over levels.
+TEST(TreeProperties, AllowOneRoundingForEachAddition) {
+  LightSet lights;
+  for (int i = 0; i < 12; ++i) lights.add_omni({0, 0, i}, glm::vec3(0.1F));
+  EXPECT_THAT(violated(judge(wide_claim(12, 12, 10), lights)), IsEmpty());
+  EXPECT_THAT(violated(judge(wide_claim(12, 12, 14), lights)), ElementsAre(conserves));
+  EXPECT_THAT(violated(judge(wide_claim(12, 3, 4), lights)), IsEmpty());
+  EXPECT_THAT(violated(judge(wide_claim(12, 3, 8), lights)), ElementsAre(conserves));
 }
 
 } // namespace

@@ -12,6 +12,8 @@
 namespace lightcuts::gen {
 namespace {
 
+using gen::simpler; // beside that of BoxView
+
 BoxView make_box_view(Dice& dice) {
   const Scene scene = make_scene(dice, dice.between(1, 4), {LightKind::omni, 0, false});
   BoxView view{Box::empty(), scene.view.position,
