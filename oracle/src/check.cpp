@@ -12,13 +12,22 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "bound_sweep.h"
 #include <lightcuts/input_error.h>
 #include <lightcuts/oracle/case_properties.h>
+#include <lightcuts/oracle/check_case.h>
 #include <lightcuts/oracle/random_pixels.h>
+#include <lightcuts/oracle/scene_case.h>
 #include <lightcuts/oracle/white_furnace.h>
 
 namespace lightcuts::oracle {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// Cuts of three kinds at each point: as configured, exact, and too small to converge.
 struct Cuts {
@@ -38,7 +47,10 @@ struct Worker {
   Truth truth;
   std::unique_ptr<SubjectTree> tree; ///< made where it is wanted: a subject may fail to
   std::vector<char> visible;
+  std::optional<BoundSweep> sweep;
   RayCount rays;
+  std::uint64_t swept_pairs = 0;
+  double sweep_seconds = 0;
 };
 
 // Of the lights, so many at each point.
@@ -64,7 +76,8 @@ std::vector<Lobe> parts_of(const Scene& scene) {
 // Exact cuts cost N log N, the others much less: one point in eight has one.
 constexpr std::uint64_t points_per_exact_cut = 8;
 // So does asking for the probabilities of all lights of all clusters, and more.
-constexpr std::uint64_t points_per_probabilities = 64;
+constexpr std::uint64_t points_per_probabilities = 64 * points_per_full_check;
+constexpr std::uint64_t points_per_excerpt = points_per_full_check;
 
 void check_point(const SceneView& view, Parts parts, const Topology& topology, const Cuts& cuts,
                  std::uint64_t place, const VisiblePoint& p, std::uint64_t seed, Worker& w) {
@@ -104,79 +117,149 @@ bool answers(std::uint64_t place, Tally& tally, Work&& work) {
   return failure.empty();
 }
 
-/// Enough for about a second of brute force.
-std::uint64_t rays_to_check(const Scene& scene) {
-  return std::clamp<std::uint64_t>(40'000'000 / scene.mesh.triangles.size(), 1000, 100'000);
+/// Rays per shading point, so that brute force takes a tenth of the time or so.
+double ray_rate(const Scene& scene, const Topology& topology) {
+  return 2 * double(topology.size()) / double(scene.mesh.triangles.size());
 }
 
-using Clock = std::chrono::steady_clock;
+/// One run of check(), from a block of points to the next.
+class Campaign {
+public:
+  Campaign(const SceneView& view, const Subject& subject, const CheckConfig& config,
+           const CheckResult& done)
+      : view_(view), lights_(view.scene().lights), subject_(subject), config_(config),
+        result_(done), cuts_(config.cut, lights_.size()),
+        arena_(config.threads == 0 ? tbb::task_arena::automatic : int(config.threads)) {
+    result_.complete = true;
+  }
+
+  [[nodiscard]] CheckResult run() {
+    Tally first;
+    if (!build(first)) {
+      result_.tally.merge(first);
+      result_.complete = false;
+      return finished();
+    }
+    const std::uint64_t nodes = topology_->size();
+    const std::uint64_t points = config_.pairs / nodes + (config_.pairs % nodes != 0);
+    if (result_.points == 0) {
+      result_.tally.merge(first);
+      check_materials();
+    }
+    while (result_.points < points && result_.complete) {
+      check_block(result_.points, std::min(points, result_.points + block_size()));
+      if (config_.progress) config_.progress(double(result_.points) / double(points));
+      const bool out_of_time = config_.seconds > 0 && seconds_since(start_) >= config_.seconds;
+      if (out_of_time || failed_ || (config_.cancelled && config_.cancelled()))
+        result_.complete = result_.points >= points && !failed_;
+    }
+    return finished();
+  }
+
+private:
+  bool build(Tally& tally) {
+    return answers(0, tally,
+                   [&] {
+                     if (has(subject_.parts(), Part::refinement_order))
+                       check_refinement_order(subject_, 0, tally);
+                     tree_ = subject_.build(lights_, config_.tree_seed);
+                     topology_ = check_tree(tree_->claim(), lights_, 0, tally);
+                   }) &&
+           topology_.has_value();
+  }
+
+  /// A tenth of a second or so, and the same whatever the machine.
+  [[nodiscard]] std::uint64_t block_size() const {
+    return std::clamp<std::uint64_t>(2'000'000 / topology_->size(), 8, 4096);
+  }
+
+  void check_materials() {
+    const std::vector<Lobe> parts = parts_of(view_.scene());
+    arena_.execute([&] {
+      tbb::parallel_for(std::size_t(0), parts.size(),
+                        [&](std::size_t i) { check_energy(parts[i], i, workers_.local().tally); });
+    });
+  }
+
+  void check_block(std::uint64_t begin, std::uint64_t end) {
+    arena_.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::uint64_t>(begin, end, 4),
+          [&](const tbb::blocked_range<std::uint64_t>& range) {
+            Worker& w = workers_.local();
+            for (std::uint64_t i = range.begin(); i < range.end() && !failed_; ++i) check(i, w);
+          },
+          tbb::simple_partitioner());
+    });
+    result_.points = end;
+    result_.pairs = end * topology_->size();
+  }
+
+  void check(std::uint64_t i, Worker& w) {
+    const VisiblePoint p = random_point(view_, config_.seed, i);
+    if (!answers(i, w.tally, [&] { check_point_of(w, i, p); })) failed_ = true;
+    if (!has(subject_.parts(), Part::occlusion)) return;
+    const double rate = ray_rate(view_.scene(), *topology_);
+    for (auto r = std::uint64_t(double(i) * rate); r < std::uint64_t(double(i + 1) * rate); ++r)
+      check_ray(subject_, view_, p, std::uint32_t(hashed(config_.seed + 1, r) % lights_.size()), i,
+                w.rays, w.tally);
+  }
+
+  void check_point_of(Worker& w, std::uint64_t i, const VisiblePoint& p) {
+    if (!w.tree) {
+      const std::lock_guard lock(tree_mutex_);
+      w.tree = tree_->for_another_thread();
+      w.visible.resize(lights_.size());
+      w.sweep.emplace(*topology_, lights_);
+    }
+    const bool bounds_only = i % points_per_full_check != 0 &&
+                             has(subject_.parts(), Part::bounds) &&
+                             w.sweep->supports(p.point.material());
+    if (bounds_only) {
+      const auto start = Clock::now();
+      w.sweep->check(*w.tree, p.point, i, w.tally);
+      w.sweep_seconds += seconds_since(start);
+      w.swept_pairs += topology_->size();
+      return;
+    }
+    check_point(view_, subject_.parts(), *topology_, cuts_, i, p, config_.seed, w);
+    if (i % points_per_excerpt == 0)
+      check_case(subject_, excerpt_of(view_, config_, i), i, w.tally);
+  }
+
+  CheckResult finished() {
+    for (const Worker& w : workers_) {
+      result_.tally.merge(w.tally);
+      result_.rays += w.rays.rays;
+      result_.undecided_rays += w.rays.undecided;
+      result_.swept_pairs += w.swept_pairs;
+      result_.sweep_seconds += w.sweep_seconds;
+    }
+    result_.seconds += seconds_since(start_);
+    return result_;
+  }
+
+  const SceneView& view_;
+  const LightSet& lights_;
+  const Subject& subject_;
+  const CheckConfig& config_;
+  CheckResult result_;
+  Cuts cuts_;
+  Clock::time_point start_ = Clock::now();
+  std::unique_ptr<SubjectTree> tree_;
+  std::optional<Topology> topology_;
+  std::mutex tree_mutex_;            ///< copies of one tree are made one at a time
+  std::atomic<bool> failed_ = false; ///< a subject that has failed once is asked no more
+  tbb::enumerable_thread_specific<Worker> workers_;
+  tbb::task_arena arena_;
+};
 
 } // namespace
 
-CheckResult check(const SceneView& view, const Subject& subject, const CheckConfig& config) {
-  const auto start = Clock::now();
-  const LightSet& lights = view.scene().lights;
-  if (lights.empty()) throw InputError(view.scene().name + ": no lights");
-  CheckResult result;
-  std::unique_ptr<SubjectTree> tree;
-  std::optional<Topology> topology;
-  const bool is_built = answers(0, result.tally, [&] {
-    if (has(subject.parts(), Part::refinement_order))
-      check_refinement_order(subject, 0, result.tally);
-    tree = subject.build(lights, config.tree_seed);
-    topology = check_tree(tree->claim(), lights, 0, result.tally);
-  });
-  if (!is_built || !topology) return result;
-
-  result.points = config.pairs / topology->size() + (config.pairs % topology->size() != 0);
-  result.pairs = result.points * topology->size();
-  const Cuts cuts(config.cut, lights.size());
-  const std::uint64_t rays =
-      has(subject.parts(), Part::occlusion) ? rays_to_check(view.scene()) : 0;
-  std::atomic<std::uint64_t> done = 0;
-  tbb::enumerable_thread_specific<Worker> workers;
-  std::atomic<bool> failed = false; // one that has failed once is asked no more
-  std::mutex tree_mutex;            // copies of one tree are made one at a time
-
-  const auto check_one = [&](std::uint64_t i, const VisiblePoint& p, Worker& w) {
-    if (!w.tree) {
-      const std::lock_guard lock(tree_mutex);
-      w.tree = tree->for_another_thread();
-      w.visible.resize(lights.size());
-    }
-    check_point(view, subject.parts(), *topology, cuts, i, p, config.seed, w);
-  };
-  const auto check_points = [&](const tbb::blocked_range<std::uint64_t>& range) {
-    Worker& w = workers.local();
-    for (std::uint64_t i = range.begin(); i < range.end() && !failed; ++i) {
-      const VisiblePoint p = random_point(view, config.seed, i);
-      if (!answers(i, w.tally, [&] { check_one(i, p, w); })) failed = true;
-      // The rays, dealt out evenly to the points.
-      for (std::uint64_t r = i * rays / result.points; r < (i + 1) * rays / result.points; ++r)
-        check_ray(subject, view, p,
-                  static_cast<std::uint32_t>(hashed(config.seed + 1, r) % lights.size()), i, w.rays,
-                  w.tally);
-    }
-    const std::uint64_t now = done += range.size();
-    if (config.progress) config.progress(double(now) / double(result.points));
-  };
-  tbb::task_arena arena(config.threads == 0 ? tbb::task_arena::automatic
-                                            : static_cast<int>(config.threads));
-  const std::vector<Lobe> parts = parts_of(view.scene());
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t(0), parts.size(),
-                      [&](std::size_t i) { check_energy(parts[i], i, workers.local().tally); });
-    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, result.points, 4), check_points,
-                      tbb::simple_partitioner());
-  });
-
-  for (const Worker& w : workers) {
-    result.tally.merge(w.tally);
-    result.rays += w.rays.rays;
-    result.undecided_rays += w.rays.undecided;
-  }
-  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return result;
+CheckResult check(const SceneView& view, const Subject& subject, const CheckConfig& config,
+                  const CheckResult& done) {
+  if (view.scene().lights.empty()) throw InputError(view.scene().name + ": no lights");
+  return Campaign(view, subject, config, done).run();
 }
 
 } // namespace lightcuts::oracle

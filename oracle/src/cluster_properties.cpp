@@ -17,14 +17,20 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-std::string describe(const PointCase& at, std::uint32_t node, int channel, const char* left,
-                     long double value, const char* right, double limit) {
-  const glm::vec3& x = at.point.position();
-  const std::uint32_t lights = at.topology().light_count(node);
+std::string describe(const ShadingPoint& point, const Topology& topology, std::uint32_t node,
+                     int channel, const char* left, long double value, const char* right,
+                     double limit) {
+  const glm::vec3& x = point.position();
+  const std::uint32_t lights = topology.light_count(node);
   return fmt::format("point ({:.9g}, {:.9g}, {:.9g}), node {} of {} light{}, channel {}: "
                      "{} {:.9g}, {} {:.9g}",
                      x.x, x.y, x.z, node, lights, lights == 1 ? "" : "s", "rgb"[channel], left,
                      static_cast<double>(value), right, limit);
+}
+
+std::string describe(const PointCase& at, std::uint32_t node, int channel, const char* left,
+                     long double value, const char* right, double limit) {
+  return describe(at.point, at.topology(), node, channel, left, value, right, limit);
 }
 
 /// The channel with the largest value / bound, and whether all hold.
@@ -46,16 +52,21 @@ struct Worst {
   }
 };
 
-void check_contribution(const PointCase& at, std::uint32_t node, const glm::vec3& bound,
-                        Tally& tally) {
+/// exact(channel): the same truth as Exact.
+template <class MakeExact>
+Worst compared(const Wide& truth, const glm::vec3& bound, const MakeExact& exact) {
   Worst worst;
   for (int c = 0; c < 3; ++c) {
-    const long double truth = at.truth.open(node)[c];
-    worst.add(c,
-              dominates(bound[c], truth, truth * truth_error,
-                        [&] { return at.truth.exact_open(node, c); }),
-              truth, bound[c]);
+    const long double t = truth[std::size_t(c)];
+    worst.add(c, dominates(bound[c], t, t * truth_error, [&] { return exact(c); }), t, bound[c]);
   }
+  return worst;
+}
+
+void check_contribution(const PointCase& at, std::uint32_t node, const glm::vec3& bound,
+                        Tally& tally) {
+  const Worst worst =
+      compared(at.truth.open(node), bound, [&](int c) { return at.truth.exact_open(node, c); });
   tally.record(Property::bound_dominates_contribution, worst.holds, at.place, worst.ratio, [&] {
     return describe(at, node, worst.channel, "true contribution", worst.value, "bound",
                     bound[worst.channel]);
@@ -187,6 +198,26 @@ void check_estimate(const PointCase& at, std::uint32_t node, const glm::dvec3& e
 }
 
 } // namespace
+
+void check_bound(const Topology& topology, const LightSet& lights, const ShadingPoint& point,
+                 std::uint64_t place, std::uint32_t node, const glm::vec3& bound, Tally& tally) {
+  const std::vector<std::uint32_t> members = topology.all_lights(node);
+  Wide sum{};
+  for (const std::uint32_t light : members) {
+    const Wide one = contribution(lights[light], point, lights.min_distance());
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += one[c];
+  }
+  const Worst worst = compared(sum, bound, [&](int c) {
+    Exact exact = 0;
+    for (const std::uint32_t light : members)
+      exact += exact_contribution(lights[light], point, lights.min_distance(), c);
+    return exact;
+  });
+  tally.record(Property::bound_dominates_contribution, worst.holds, place, worst.ratio, [&] {
+    return describe(point, topology, node, worst.channel, "true contribution", worst.value, "bound",
+                    bound[worst.channel]);
+  });
+}
 
 glm::dvec3 seen_estimate(const Judged& judged, std::uint32_t node, const PointCase& at,
                          const glm::vec3& bound) {

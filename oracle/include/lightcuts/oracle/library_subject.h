@@ -4,11 +4,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include <lightcuts/contribution_bounds.h>
 #include <lightcuts/light_sampling.h>
 #include <lightcuts/light_tree.h>
 #include <lightcuts/oracle/subject.h>
@@ -37,6 +39,12 @@ public:
   glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) override {
     return std::visit([&](const auto& lobe) { return rules_.bound(*tree_, node, point, lobe); },
                       point.material().lobe);
+  }
+  void bounds(const ShadingPoint& point, std::span<glm::vec3> out) override {
+    if constexpr (std::is_same_v<Rules, LightcutsRules>)
+      contribution_bounds(*tree_, point, out);
+    else
+      SubjectTree::bounds(point, out);
   }
   glm::vec3 lower_bound(std::uint32_t node, const ShadingPoint& point) override {
     return contribution_lower_bound(*tree_, node, point);

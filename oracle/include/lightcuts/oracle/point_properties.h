@@ -45,6 +45,10 @@ void check_cluster(const Judged& judged, std::uint32_t node, const PointCase& at
 /// The same for every cluster, if bounds can be judged.
 void check_clusters(const Judged& judged, const PointCase& at, Tally& tally);
 
+/// bound-dominates-contribution for one cluster, without a Truth.
+void check_bound(const Topology& topology, const LightSet& lights, const ShadingPoint& point,
+                 std::uint64_t place, std::uint32_t node, const glm::vec3& bound, Tally& tally);
+
 /// Checks one cut: cut-partitions-lights, cut-obeys-threshold, certified-error-holds,
 /// total-does-not-drift, results-are-finite; with a threshold of 0, no black level and a size
 /// for all lights, zero-threshold-is-exact too.

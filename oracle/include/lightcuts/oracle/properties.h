@@ -106,6 +106,18 @@ public:
     count.first_violation = describe();
   }
 
+  /// Counts cases that hold, of which the worst has this ratio.
+  void hold(Property property, std::uint64_t cases, double worst_ratio) {
+    PropertyCount& count = counts_[std::size_t(property)];
+    count.cases += cases;
+    if (!(worst_ratio <= count.worst_ratio)) count.worst_ratio = worst_ratio;
+  }
+
+  /// Sets a property's counts to those that were saved.
+  void restore(Property property, const PropertyCount& count) {
+    counts_[std::size_t(property)] = count;
+  }
+
   void merge(const Tally& other);
 
   [[nodiscard]] const PropertyCount& operator[](Property p) const {

@@ -14,6 +14,11 @@ namespace lightcuts::oracle {
 /// not seen from there are hidden.
 [[nodiscard]] Case case_of(const SceneView& view, const CheckConfig& config, std::uint64_t place);
 
+/// The same with twelve lights of the scene at most, drawn at random: what check() looks at where
+/// all lights would take too long.
+[[nodiscard]] Case excerpt_of(const SceneView& view, const CheckConfig& config,
+                              std::uint64_t place);
+
 /// The first property that check() found violated, violations before waste, of those that
 /// check_case() finds violated in lights and a point alone: not so where it takes the scene's
 /// triangles (occlusion-equals-brute-force), and of materials. Not shrunk.
