@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <lightcuts/angle.h>
 #include <lightcuts/box.h>
+#include <lightcuts/certified_root.h>
 #include <lightcuts/exact_dot.h>
 
 namespace lightcuts {
@@ -140,6 +141,11 @@ template <int K>
     return 1 / (3 * root.s * std::sqrt(g.c + root.s * g.b * root.s));
 }
 
+/// sup_dot_over_power<3>(), out of the way of what is quicker; n and x can stay in registers there.
+[[gnu::noinline, gnu::cold]] inline double walked_sup(glm::vec3 n, glm::vec3 x, const Box& box) {
+  return sup_dot_over_power<3>(n, x, box);
+}
+
 /// The q with the largest n.q/|q| over a box with some n.q > 0; where that is approached at q = 0
 /// only, a direction.
 inline glm::dvec3 nearest_in_front(const glm::vec3& n, const glm::vec3& x, const Box& box) {
@@ -176,7 +182,9 @@ inline glm::dvec3 corner(const Box& box, int bits, const glm::vec3& x) {
 /// in one, tighter than the product of their suprema.
 [[nodiscard]] inline double max_cosine_over_distance2(const glm::vec3& n, const glm::vec3& x,
                                                       const Box& box) {
-  return detail::sup_dot_over_power<3>(n, x, box);
+  const double sup =
+      box.lo == box.hi ? detail::certified_value(n, x, box.lo) : detail::certified_sup(n, x, box);
+  return sup != detail::undecided ? sup : detail::walked_sup(n, x, box);
 }
 
 /// The smallest angle between n and q = y - x, y in the box, q != 0; within angle_error.

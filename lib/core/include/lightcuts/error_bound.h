@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <type_traits>
 
@@ -33,9 +34,10 @@ struct JointSuprema {
                       double min_distance2) {
     if (Features::known(kind) == LightKind::directional) return max_cosine(n, from, box);
     const double reach = max_cosine_over_distance2(n, from, box);
-    // The clamped one is the smaller of two, and so is its supremum at most.
+    // The clamped one is the smaller of two, and so is its supremum at most: the first of them
+    // where no distance is clamped.
     if constexpr (Features::clamps)
-      if (min_distance2 > 0 && reach > 0)
+      if (reach > 0 && lightcuts::min_distance2(from, box) < min_distance2) [[unlikely]]
         return std::min(reach, max_cosine(n, from, box) / min_distance2);
     return reach;
   }
@@ -73,6 +75,15 @@ namespace detail {
 inline constexpr double bound_inflation = 1 + 0x1p-26;
 static_assert(4 * box_bound_error + power_error + 0x1p-48 < 0x1p-26);
 
+/// intensity diffuse/pi geometric, rounded up. Of lights without axes: in floats, the last factor
+/// is 0 or above 2^-690, and no product underflows.
+inline glm::vec3 diffuse_bound(const glm::dvec3& intensity, const glm::vec3& diffuse,
+                               double geometric) {
+  const double factor = geometric * std::numbers::inv_pi;
+  return {round_up(diffuse.x * factor * intensity.x), round_up(diffuse.y * factor * intensity.y),
+          round_up(diffuse.z * factor * intensity.z)};
+}
+
 /// intensity emission (diffuse/pi max(n.l falloff) + max(lobe n.l falloff)), rounded up.
 template <class Suprema, class OneLobe>
 glm::vec3 bound_of_cluster(const Suprema& suprema, const LightTree& tree, std::uint32_t i,
@@ -84,6 +95,9 @@ glm::vec3 bound_of_cluster(const Suprema& suprema, const LightTree& tree, std::u
   const double reach = suprema.reach(kind, point.normal(), from, cluster.box, tree.min_distance2());
   if (reach == 0) return glm::vec3(0);
   const double geometric = reach * point.inverse_normal_length() * bound_inflation;
+  if constexpr (std::is_same_v<OneLobe, NoLobe> && !Features::has_axes)
+    if (geometric < std::numeric_limits<double>::infinity()) [[likely]]
+      return diffuse_bound(cluster.intensity, point.material().diffuse, geometric);
   double emitted = 1;
   if constexpr (Features::has_axes)
     if (Features::uniform || (cluster.kinds & kinds_with_axis) != 0) {
@@ -130,6 +144,8 @@ template <class Suprema, class OneLobe>
 [[nodiscard]] glm::vec3 bound_by(const Suprema& suprema, const LightTree& tree, std::uint32_t node,
                                  const ShadingPoint& point, const OneLobe& lobe) {
   using Features = typename Suprema::Features;
+  if (Features::uniform || !tree.node(node).is_mixed()) [[likely]]
+    return detail::bound_of_cluster(suprema, tree, node, point, lobe);
   const glm::dvec3 bound = detail::over_kinds<Features>(tree, node, [&](std::uint32_t i) {
     return glm::dvec3(detail::bound_of_cluster(suprema, tree, i, point, lobe));
   });

@@ -19,8 +19,8 @@ namespace lightcuts {
 /// value is 0.
 [[nodiscard]] inline float round_up(double value) {
   const float nearest = to_float(value);
-  if (double(nearest) >= value) return nearest;
-  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(nearest) + 1);
+  const std::uint32_t below = double(nearest) < value ? 1 : 0; // a branch would often go wrong
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(nearest) + below);
 }
 
 /// The largest finite float that is not above value >= 0.
