@@ -57,5 +57,16 @@ TEST(CertifiedSup, LeavesWhatCancelsToOthers) {
   EXPECT_GT(max_cosine_over_distance2(n, glm::vec3(0), box), 0);
 }
 
+// a b - b a + 2^-100 is above 0, whatever rounding makes of it.
+TEST(CertifiedSup, DoesNotTakeRoundingForTheSide) {
+  gen::Dice dice{rc::Random(6)};
+  for (int i = 0; i < 1000; ++i) {
+    const float a = 1 + std::abs(dice.in_cube().x), b = 1 + std::abs(dice.in_cube().y);
+    const Box box{{b - 1, a, 0}, {b, a + 1, 1}};
+    EXPECT_NE(detail::certified_sup({a, -b, 0x1p-100F}, glm::vec3(0), box), 0);
+    EXPECT_GT(max_cosine_over_distance2({a, -b, 0x1p-100F}, glm::vec3(0), box), 0);
+  }
+}
+
 } // namespace
 } // namespace lightcuts

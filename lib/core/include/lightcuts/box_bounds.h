@@ -146,6 +146,13 @@ template <int K>
   return sup_dot_over_power<3>(n, x, box);
 }
 
+/// max_cosine_over_distance2(), to be inlined where many boxes are seen from one point.
+[[nodiscard, gnu::always_inline]] inline double joint_sup(const glm::vec3& n, const glm::vec3& x,
+                                                          const Box& box) {
+  const double sup = box.lo == box.hi ? certified_value(n, x, box.lo) : certified_sup(n, x, box);
+  return sup != undecided ? sup : walked_sup(n, x, box);
+}
+
 /// The q with the largest n.q/|q| over a box with some n.q > 0; where that is approached at q = 0
 /// only, a direction.
 inline glm::dvec3 nearest_in_front(const glm::vec3& n, const glm::vec3& x, const Box& box) {
@@ -179,12 +186,11 @@ inline glm::dvec3 corner(const Box& box, int bits, const glm::vec3& x) {
 }
 
 /// sup of max(0, n.q)/|q|^3 over the box: |n| times Lambert's cosine and the geometric term 1/|q|^2
-/// in one, tighter than the product of their suprema.
-[[nodiscard]] inline double max_cosine_over_distance2(const glm::vec3& n, const glm::vec3& x,
-                                                      const Box& box) {
-  const double sup =
-      box.lo == box.hi ? detail::certified_value(n, x, box.lo) : detail::certified_sup(n, x, box);
-  return sup != detail::undecided ? sup : detail::walked_sup(n, x, box);
+/// in one, tighter than the product of their suprema. Not inlined: the kernels of all features and
+/// lobes share it.
+[[nodiscard, gnu::noinline]] inline double
+max_cosine_over_distance2(const glm::vec3& n, const glm::vec3& x, const Box& box) {
+  return detail::joint_sup(n, x, box);
 }
 
 /// The smallest angle between n and q = y - x, y in the box, q != 0; within angle_error.
