@@ -5,7 +5,6 @@
 #include <rapidcheck/gtest.h>
 
 #include "../support/box_reference.h"
-#include "../support/dice.h"
 #include "../support/generators.h"
 #include <lightcuts/box_bounds.h>
 

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "../support/dice.h"
 #include "../support/generators.h"
 #include "../support/precise.h"
 #include <lightcuts/certified_error.h>

@@ -10,7 +10,6 @@
 
 #include "../support/allocation_count.h"
 #include "../support/cut_promises.h"
-#include "../support/dice.h"
 #include "../support/generators.h"
 #include <lightcuts/sum_lights.h>
 #include <lightcuts/tree_builder.h>

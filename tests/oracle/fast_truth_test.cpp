@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "../support/dice.h"
 #include "../support/generators.h"
 #include "judged_point.h"
 #include <lightcuts/contribution_bounds.h>
