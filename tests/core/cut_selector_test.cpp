@@ -108,6 +108,45 @@ RC_GTEST_PROP(CutSelector, AtZeroThresholdIsExact, ()) {
   }
 }
 
+std::set<std::uint32_t> nodes_of(const Cut& cut) {
+  std::set<std::uint32_t> nodes;
+  for (const CutCluster& c : cut.clusters) nodes.insert(c.node);
+  return nodes;
+}
+
+/// Whether no node of `coarse` lies below one of `fine`, both being partitions.
+bool refines(const LightTree& tree, const std::set<std::uint32_t>& fine,
+             const std::set<std::uint32_t>& coarse) {
+  std::vector<std::uint32_t> open;
+  const auto open_children = [&](std::uint32_t i) {
+    if (const std::uint32_t child = tree.node(i).first_child; child != 0)
+      open.insert(open.end(), {child, child + 1});
+  };
+  for (const std::uint32_t node : fine) open_children(node);
+  while (!open.empty()) {
+    const std::uint32_t i = open.back();
+    open.pop_back();
+    if (coarse.contains(i)) return false;
+    open_children(i);
+  }
+  return true;
+}
+
+RC_GTEST_PROP(CutSelector, ASmallerThresholdRefinesTheCutOfALargerOne, ()) {
+  CutCase given = *cut_case();
+  given.config.black_level = 0;
+  const LightTree tree = build(given.scene.light_set());
+  const ShadingPoint point = given.scene.view.point();
+  std::set<std::uint32_t> coarse{0};
+  for (const float threshold : {1e6F, 8.0F, 2.0F, 0.5F, 0.1F, 0.02F, 0.003F, 1e-6F, 0.0F}) {
+    given.config.threshold = threshold;
+    CutSelector select(tree, given.config);
+    const std::set<std::uint32_t> fine = nodes_of(select(point, given.visibility()));
+    RC_ASSERT(refines(tree, fine, coarse));
+    coarse = fine;
+  }
+}
+
 bool same(const Cut& a, const Cut& b) {
   return a.radiance == b.radiance && a.certified_error == b.certified_error && a.end == b.end &&
          std::equal(a.clusters.begin(), a.clusters.end(), b.clusters.begin(), b.clusters.end(),

@@ -235,12 +235,13 @@ private:
   /// Sums the total anew and orders all clusters by their bounds relative to it.
   void rekey() {
     total_ = summed();
-    // Such that a key is at most the threshold if and only if its cluster obeys, and finite.
+    // Such that a key is at most the threshold if and only if its cluster obeys, and finite. At a
+    // threshold of 0 a black level is all that counts.
+    const bool is_relative = config_.threshold > 0 || config_.black_level == 0;
+    const double black =
+        config_.threshold > 0 ? double(config_.black_level) / config_.threshold : 0;
     for (int c = 0; c < 3; ++c)
-      weight_[c] =
-          config_.threshold > 0
-              ? 1 / std::max({total_[c], double(config_.black_level) / config_.threshold, 0x1p-800})
-              : 1;
+      weight_[c] = is_relative ? 1 / std::max({total_[c], black, 0x1p-800}) : 1;
     keyed_at_size_ = clusters_.size();
     queue_.clear();
     for (std::uint32_t i = 0; i < clusters_.size(); ++i)
