@@ -36,7 +36,7 @@ RC_GTEST_PROP(CertifiedValue, IsThatOfThePointWhereItIsDecided, ()) {
 
 /// Boxes of all sizes around a point, and how many of them are not decided.
 TEST(CertifiedSup, IsHardlyEverUndecided) {
-  gen::Dice dice{rc::Random(5)};
+  gen::Dice dice(5);
   int undecided = 0;
   for (int i = 0; i < 100000; ++i) {
     const glm::vec3 n = i % 2 == 0 ? dice.unit_vector() : glm::vec3(0, 0, 1);
@@ -58,7 +58,7 @@ TEST(CertifiedSup, LeavesWhatCancelsToOthers) {
 
 // a b - b a + 2^-100 is above 0, whatever rounding makes of it.
 TEST(CertifiedSup, DoesNotTakeRoundingForTheSide) {
-  gen::Dice dice{rc::Random(6)};
+  gen::Dice dice(6);
   for (int i = 0; i < 1000; ++i) {
     const float a = 1 + std::abs(dice.in_cube().x), b = 1 + std::abs(dice.in_cube().y);
     const Box box{{b - 1, a, 0}, {b, a + 1, 1}};

@@ -134,7 +134,7 @@ TYPED_TEST(LightSampling, ExpectsTheExactSum) {
 TYPED_TEST(LightSampling, SaysWithWhichProbabilityItDrew) {
   check_property("the sample's probability is light_probability(), bit for bit", [] {
     const Draw<TypeParam> draw{*gen::scene()};
-    gen::Dice dice{rc::Random(std::uint64_t(*rc::gen::arbitrary<std::uint64_t>()))};
+    gen::Dice dice(std::uint64_t(*rc::gen::arbitrary<std::uint64_t>()));
     for (std::uint32_t i = 0; i < draw.tree.nodes().size(); ++i) {
       const double u = dice.one_in(4) ? dice.pick({0.0, 1 - 0x1p-53, 0.5}) : dice.uniform(0, 1);
       const LightSample sample = draw.sample(i, u);
@@ -195,7 +195,7 @@ TEST(SampleLight, KeepsRandomNumbersBelowOne) {
   for (const float x : {0.0F, 1.0F, 10.0F, 11.0F}) lights.add_omni({x, 0, 1}, glm::vec3(1));
   const LightTree tree = build(lights);
   const ShadingPoint point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {glm::vec3(1)});
-  gen::Dice dice{rc::Random(1)};
+  gen::Dice dice(1);
   for (int i = 0; i < 10000; ++i) {
     const RootShare importance{std::ldexp(dice.uniform(0.5, 1), -dice.below(12))};
     const LightSample last = sample_light(importance, tree, 0, point, NoLobe(), 1 - 0x1p-53);

@@ -120,7 +120,7 @@ TYPED_TEST(StochasticCut, CastsNoRaysWhereNothingOccludes) {
 /// Lights of several kinds and intensities above a floor, every third of them hidden.
 LightSet mixed_lights() {
   LightSet lights;
-  gen::Dice dice{rc::Random(3)};
+  gen::Dice dice(3);
   const auto intensity = [&] { return glm::vec3(0.5) + 0.5F * dice.in_cube(); };
   for (int i = 0; i < 150; ++i) {
     const glm::vec3 p = 4.0F * dice.in_cube() + glm::vec3(0, 0, 3);

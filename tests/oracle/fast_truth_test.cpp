@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/oracle/fast_truth.h>
+#include <lightcuts/oracle/library_subject.h>
 
 #include <chrono>
 #include <cmath>
@@ -49,7 +50,8 @@ RC_GTEST_PROP(FastTruth, LiesBetweenItsBars, ()) {
   const ShadingPoint point = scene.view.point();
   Truth exact;
   const std::vector<char> visible(tree.lights().size(), 1);
-  exact.evaluate(tree, point, visible);
+  const Topology topology = *read_topology(claim_of(tree), tree.lights().size()).topology;
+  exact.evaluate(topology, tree.lights(), point, visible);
   FastTruth fast(tree);
   fast.evaluate(point);
   for (std::uint32_t i = 0; i < fast.size(); ++i)
@@ -65,7 +67,7 @@ RC_GTEST_PROP(FastTruth, LiesBetweenItsBars, ()) {
 
 // A chain: as high as it has lights, no library would build it.
 TEST(FastTruth, TakesATreeOfAnyShape) {
-  gen::Dice dice{rc::Random(3)};
+  gen::Dice dice(3);
   std::vector<Light> lights;
   std::vector<FastNode> nodes;
   constexpr std::uint32_t count = 50;
@@ -101,7 +103,7 @@ TEST(FastTruth, IsAccurateWhereTheDotProductCancels) {
   expect_between({.position = {0x1p80F, 0x1p-70F, -0x1p80F}, .intensity = glm::vec3(1)},
                  {{-0x1p10F, 0x1p10F, 0}, diagonal, diagonal, {glm::vec3(1), {}}});
   // Lights that just cancel more or less than what is computed anew.
-  gen::Dice dice{rc::Random(8)};
+  gen::Dice dice(8);
   for (int i = 0; i < 20000; ++i) {
     const glm::vec3 n = dice.unit_vector(), at = dice.in_cube();
     const glm::vec3 along = at - glm::dot(at, n) / glm::dot(n, n) * n;
@@ -128,7 +130,8 @@ RC_GTEST_PROP(Compare, DecidesAsExactArithmeticDoes, ()) {
   const ShadingPoint point = scene.view.point();
   const std::vector<char> visible(tree.lights().size(), 1);
   Truth exact;
-  exact.evaluate(tree, point, visible);
+  const Topology topology = *read_topology(claim_of(tree), tree.lights().size()).topology;
+  exact.evaluate(topology, tree.lights(), point, visible);
   FastTruth fast(tree);
   fast.evaluate(point);
   std::vector<glm::vec3> bounds = bounds_of(tree, point);
@@ -187,7 +190,7 @@ TEST(Compare, TakesInfinityForEnoughAndZeroForNothing) {
 }
 
 TEST(Compare, LeavesHardlyAnythingUndecided) {
-  gen::Dice dice{rc::Random(2)};
+  gen::Dice dice(2);
   for (const float min_distance : {0.0F, 0.5F}) {
     const LightTree tree = cloud(2000, dice, min_distance);
     FastTruth fast(tree);
@@ -209,7 +212,7 @@ TEST(Compare, LeavesHardlyAnythingUndecided) {
 /// Bound, truth and comparison of every node: how many in a second on one core. Prints it; only the
 /// counts are tested.
 TEST(Throughput, OfComparingAllNodesWithTheTruth) {
-  gen::Dice dice{rc::Random(1)};
+  gen::Dice dice(1);
   const LightTree tree = cloud(20000, dice);
   std::vector<ShadingPoint> points;
   for (int i = 0; i < 32; ++i) points.push_back(within_room(i, dice));

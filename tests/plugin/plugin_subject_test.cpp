@@ -62,7 +62,7 @@ CheckResult checked(const Subject& subject) {
 }
 
 /// Names of the properties that do not hold.
-std::set<std::string> broken(const Tally& tally) {
+std::set<std::string> broken_names(const Tally& tally) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < property_count; ++i)
     if (tally[Property(i)].violations > 0 && info(Property(i)).severity == Severity::violation)
@@ -191,7 +191,7 @@ TEST(PluginCheck, ConvictsWhatBuildsAnotherTreeForEachThread) {
 
 TEST(PluginCheck, PassesTheExample) {
   const CheckResult result = checked(*brute_tree());
-  EXPECT_THAT(broken(result.tally), IsEmpty());
+  EXPECT_THAT(broken_names(result.tally), IsEmpty());
   EXPECT_GT(result.tally[Property::bound_dominates_error].cases, 1000U);
   EXPECT_GT(result.tally[Property::zero_threshold_is_exact].cases, 0U);
   EXPECT_GT(result.tally[Property::probabilities_sum_to_one].cases, 0U);
@@ -200,7 +200,7 @@ TEST(PluginCheck, PassesTheExample) {
 
 TEST(PluginCheck, JudgesSamplingAlone) {
   const CheckResult result = checked(*plugin("only_sampling"));
-  EXPECT_THAT(broken(result.tally), IsEmpty());
+  EXPECT_THAT(broken_names(result.tally), IsEmpty());
   EXPECT_GT(result.tally[Property::probabilities_sum_to_one].cases, 0U);
   EXPECT_EQ(result.tally[Property::bound_dominates_contribution].cases, 0U);
   EXPECT_GT(checked(*plugin("nan_probability")).tally[finite].violations, 0U);
@@ -220,19 +220,19 @@ TEST(PluginParts, AreThoseThatItOffers) {
 
 TEST(PluginParts, AreJudgedAlone) {
   const Tally sampling = verdict(*plugin("only_sampling"));
-  EXPECT_THAT(broken(sampling), IsEmpty());
+  EXPECT_THAT(broken_names(sampling), IsEmpty());
   EXPECT_GT(sampling[Property::probabilities_sum_to_one].cases, 0U);
   EXPECT_EQ(sampling[Property::bound_dominates_contribution].cases, 0U);
   EXPECT_EQ(sampling[Property::cut_partitions_lights].cases, 0U);
   const Tally bounds = verdict(*plugin("only_bounds"));
-  EXPECT_THAT(broken(bounds), IsEmpty());
+  EXPECT_THAT(broken_names(bounds), IsEmpty());
   EXPECT_GT(bounds[Property::bound_dominates_contribution].cases, 0U);
   EXPECT_EQ(bounds[Property::bound_dominates_error].cases, 0U);
   EXPECT_EQ(bounds[Property::probabilities_sum_to_one].cases, 0U);
 }
 
 TEST(PluginParts, OfALaterHeaderDoNotMatter) {
-  EXPECT_THAT(broken(verdict(*plugin("newer_table"))), IsEmpty());
+  EXPECT_THAT(broken_names(verdict(*plugin("newer_table"))), IsEmpty());
 }
 
 // ---- what is no plug-in
@@ -286,7 +286,7 @@ TEST(PluginProcess, EndsWithItsSubject) {
     const auto tree = subject->build(three_lights().light_set(), 1);
     const auto other = tree->for_another_thread();
     EXPECT_EQ(children(), before + 2);
-    EXPECT_THAT(broken(verdict(*plugin("crash_in_bound"))), testing::Contains("subject-answers"));
+    EXPECT_THAT(broken_names(verdict(*plugin("crash_in_bound"))), testing::Contains("subject-answers"));
   }
   EXPECT_EQ(children(), before);
 }
