@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <csignal>
 #include <memory>
 #include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign_file.h"
 #include "commands.h"
 #include "common.h"
+#include "count.h"
 #include "counterexample_file.h"
 #include "progress.h"
 #include "property_table.h"
@@ -21,7 +24,38 @@ namespace {
 
 using oracle::CheckResult;
 
-struct CheckOptions : CommonOptions, SubjectOptions {};
+struct CheckOptions : CommonOptions, SubjectOptions {
+  std::string time, resume;
+};
+
+/// Set by Ctrl-C: the check ends, and tells what it has found. A second one ends the process.
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Ctrl-C sets `interrupted` while this lives.
+class InterruptGuard {
+public:
+  InterruptGuard() {
+    std::signal(SIGINT, [](int) {
+      interrupted = 1;
+      std::signal(SIGINT, SIG_DFL);
+    });
+  }
+  ~InterruptGuard() { std::signal(SIGINT, SIG_DFL); }
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+};
+
+/// How fast bounds were checked where they were swept.
+double sweep_rate(const CheckResult& result) {
+  return result.sweep_seconds > 0 ? double(result.swept_pairs) / result.sweep_seconds : 0;
+}
+
+std::string sweep_text(const CheckResult& result) {
+  if (result.swept_pairs == 0) return {};
+  return fmt::format("\n{} of the pairs were swept, bounds alone: {:.1f} million per second and "
+                     "thread.\n",
+                     result.swept_pairs, 1e-6 * sweep_rate(result));
+}
 
 std::string table_of(const Scene& scene, const oracle::Subject& subject, const CheckResult& result,
                      const CutConfig& cut) {
@@ -29,7 +63,8 @@ std::string table_of(const Scene& scene, const oracle::Subject& subject, const C
                      "points, {} rays ({} too close to call), {:.1f} s\n\n{}",
                      scene.name, scene.lights.size(), scene.mesh.triangles.size(),
                      100 * double(cut.threshold), result.pairs, result.points, result.rays,
-                     result.undecided_rays, result.seconds, property_table(result.tally, subject));
+                     result.undecided_rays, result.seconds, property_table(result.tally, subject)) +
+         sweep_text(result) + (result.complete ? "" : "\nStopped before all cases were done.\n");
 }
 
 std::string json_of(const CheckOptions& options, const oracle::Subject& subject,
@@ -50,6 +85,9 @@ std::string json_of(const CheckOptions& options, const oracle::Subject& subject,
   json["wasteful"] = result.tally.wasteful();
   json["counterexample"] = nullptr;
   if (file) json["counterexample"] = file->json();
+  json["complete"] = result.complete;
+  json["swept_pairs"] = result.swept_pairs;
+  json["swept_pairs_per_second"] = sweep_rate(result);
   json["seconds"] = result.seconds;
   return text_of(json);
 }
@@ -65,11 +103,39 @@ std::string counterexample_text(const CheckResult& result,
                      info(properties.front()).name);
 }
 
+/// What the counts depend on.
+nlohmann::ordered_json campaign_of(const CheckOptions& options, const Scene& scene,
+                                   const oracle::CheckConfig& config) {
+  return {{"scene", options.scene},
+          {"subject", full_name(options.subject)},
+          {"seed", options.seed},
+          {"lights", scene.lights.size()},
+          {"triangles", scene.mesh.triangles.size()},
+          {"width", scene.image_size.x},
+          {"height", scene.image_size.y},
+          {"threshold", config.cut.threshold},
+          {"black level", config.cut.black_level},
+          {"largest cut", config.cut.max_size}};
+}
+
 CheckResult checked(const CheckOptions& options, const SceneView& view,
                     const oracle::Subject& subject, oracle::CheckConfig config) {
+  std::optional<CampaignFile> campaign;
+  CheckResult before;
+  if (!options.resume.empty()) {
+    campaign.emplace(options.resume, campaign_of(options, view.scene(), config));
+    before = campaign->load();
+    config.checkpoint = [&](const CheckResult& so_far) { campaign->save(so_far); };
+    if (before.points == 0) campaign->save(before); // refused now, not after the long job
+  }
+  if (!options.time.empty()) config.seconds = *parse_duration(options.time);
+  const InterruptGuard guard;
+  config.cancelled = [] { return interrupted != 0; };
   Progress progress("check " + options.scene);
   config.progress = progress.callback();
-  return check(view, subject, config);
+  const CheckResult result = check(view, subject, config, before);
+  if (campaign) campaign->save(result);
+  return result;
 }
 
 int run(const CheckOptions& options) {
@@ -103,6 +169,14 @@ void add_check_command(CLI::App& app, Action& chosen) {
   add_json_folder_option(*command, *options);
   add_cases_option(*command, *options);
   add_subject_options(*command, *options);
+  command
+      ->add_option("--time", options->time,
+                   "end after so long, such as 90s, 10m or 2h; default: when all cases are done")
+      ->check([](const std::string& text) {
+        return parse_duration(text) ? "" : "'" + text + "' is not a time such as 90s, 10m or 2h";
+      });
+  command->add_option("--resume", options->resume,
+                      "file that keeps the counts: goes on from what it has; Ctrl-C saves, too");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

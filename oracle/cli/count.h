@@ -33,4 +33,17 @@ namespace lightcuts::cli {
   return value;
 }
 
+/// "90", "90s", "10m" or "2h" in seconds: a whole number and maybe a unit; nothing for any other
+/// text, 0, or more than 10^9 seconds.
+[[nodiscard]] constexpr std::optional<double> parse_duration(std::string_view text) {
+  double unit = 1;
+  if (!text.empty() && (text.back() == 's' || text.back() == 'm' || text.back() == 'h')) {
+    unit = text.back() == 's' ? 1 : text.back() == 'm' ? 60 : 3600;
+    text.remove_suffix(1);
+  }
+  const auto number = parse_count(text);
+  if (!number || double(*number) * unit > 1e9) return std::nullopt;
+  return double(*number) * unit;
+}
+
 } // namespace lightcuts::cli

@@ -12,9 +12,12 @@
 #include "common.h"
 #include "count.h"
 #include "progress.h"
+#include "subjects.h"
+#include <lightcuts/oracle/counterexample_json.h>
 #include <lightcuts/oracle/hunt.h>
 #include <lightcuts/oracle/library_subject.h>
 #include <lightcuts/oracle/mutants.h>
+#include <lightcuts/render/output_folder.h>
 
 namespace lightcuts::cli {
 namespace {
@@ -90,6 +93,16 @@ std::string json_of(const std::vector<Verdict>& verdicts, const Verdict& library
   return text_of(json);
 }
 
+/// mutants.json, and a counterexample-NAME.json for each that was caught.
+void save(const std::vector<Verdict>& verdicts, const std::string& json, OutputFolder& folder) {
+  write_file_atomically(folder.stage("mutants.json"), json);
+  for (const Verdict& v : verdicts)
+    if (v.found)
+      write_file_atomically(folder.stage("counterexample-" + v.name + ".json"),
+                            oracle::counterexample_json({full_name(v.name), *v.found}));
+  folder.commit();
+}
+
 struct MutantsOptions : CommonOptions {
   std::vector<std::string> names;
   double seconds = 60;
@@ -99,17 +112,14 @@ std::vector<oracle::Mutant> chosen(const std::vector<std::string>& names) {
   const auto all = oracle::mutants();
   if (names.empty()) return {all.begin(), all.end()};
   std::vector<oracle::Mutant> list;
-  for (const std::string& name : names) {
-    const oracle::Mutant* mutant = oracle::mutant_named(name);
-    if (mutant == nullptr) throw CLI::ValidationError("no mutant is called '" + name + "'");
-    list.push_back(*mutant);
-  }
+  for (const std::string& name : names) list.push_back(*oracle::mutant_named(name));
   return list;
 }
 
 int run(const MutantsOptions& options) {
   require_writable_json(options);
-  JsonFolder folder(options);
+  std::optional<OutputFolder> folder; // refused before the long job where it cannot be written
+  if (!options.out.empty()) folder.emplace(options.out);
   oracle::HuntConfig config;
   config.seed = options.seed;
   config.cases = *parse_count(options.cases);
@@ -130,7 +140,7 @@ int run(const MutantsOptions& options) {
     library = judge(*oracle::library_subject(), config, "");
   }
   const std::string json = json_of(verdicts, library, caught);
-  folder.write("mutants.json", json);
+  if (folder) save(verdicts, json, *folder);
   print_results(options, table_of(verdicts, library, caught), json);
   return caught == verdicts.size() && !library.found ? all_holds : violated;
 }
@@ -144,12 +154,16 @@ void add_mutants_command(CLI::App& app, Action& chosen) {
       "mutants",
       "Judge deliberately broken variants of the library on random cases: each has to be "
       "caught (exit code 1 if one is not, or if the library itself fails).");
-  command->add_option("NAME", options->names, "mutants to judge; default: all");
+  command->add_option("NAME", options->names, "mutants to judge; default: all")
+      ->check([](const std::string& name) {
+        return oracle::mutant_named(name) != nullptr ? "" : "no mutant is called '" + name + "'";
+      });
   command->add_option("--cases", options->cases, "random cases at most, such as 20000 or 1e6")
       ->check(check_count)
       ->capture_default_str();
   add_seed_option(*command, *options);
-  add_json_folder_option(*command, *options);
+  command->add_option("--out", options->out,
+                      "folder for mutants.json and each counterexample-NAME.json; default: none");
   add_json_option(*command, *options);
   command->add_option("--seconds", options->seconds, "most seconds for each; 0: no limit")
       ->check(CLI::NonNegativeNumber)

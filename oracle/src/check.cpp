@@ -122,6 +122,8 @@ double ray_rate(const Scene& scene, const Topology& topology) {
   return 2 * double(topology.size()) / double(scene.mesh.triangles.size());
 }
 
+constexpr double seconds_per_checkpoint = 30;
+
 /// One run of check(), from a block of points to the next.
 class Campaign {
 public:
@@ -148,7 +150,12 @@ public:
     }
     while (result_.points < points && result_.complete) {
       check_block(result_.points, std::min(points, result_.points + block_size()));
+      collect();
       if (config_.progress) config_.progress(double(result_.points) / double(points));
+      if (config_.checkpoint && seconds_since(saved_) >= seconds_per_checkpoint) {
+        config_.checkpoint(result_);
+        saved_ = Clock::now();
+      }
       const bool out_of_time = config_.seconds > 0 && seconds_since(start_) >= config_.seconds;
       if (out_of_time || failed_ || (config_.cancelled && config_.cancelled()))
         result_.complete = result_.points >= points && !failed_;
@@ -227,15 +234,24 @@ private:
       check_case(subject_, excerpt_of(view_, config_, i), i, w.tally);
   }
 
-  CheckResult finished() {
-    for (const Worker& w : workers_) {
+  /// What the threads have counted goes into the result.
+  void collect() {
+    for (Worker& w : workers_) {
       result_.tally.merge(w.tally);
       result_.rays += w.rays.rays;
       result_.undecided_rays += w.rays.undecided;
       result_.swept_pairs += w.swept_pairs;
       result_.sweep_seconds += w.sweep_seconds;
+      w.tally = {};
+      w.rays = {};
+      w.swept_pairs = 0;
+      w.sweep_seconds = 0;
     }
-    result_.seconds += seconds_since(start_);
+    result_.seconds = seconds_before_ + seconds_since(start_);
+  }
+
+  CheckResult finished() {
+    collect();
     return result_;
   }
 
@@ -245,7 +261,8 @@ private:
   const CheckConfig& config_;
   CheckResult result_;
   Cuts cuts_;
-  Clock::time_point start_ = Clock::now();
+  double seconds_before_ = result_.seconds;
+  Clock::time_point start_ = Clock::now(), saved_ = start_;
   std::unique_ptr<SubjectTree> tree_;
   std::optional<Topology> topology_;
   std::mutex tree_mutex_;            ///< copies of one tree are made one at a time

@@ -26,13 +26,26 @@ TreeClaim claim_of(const LightTree& tree) {
   return claim;
 }
 
+namespace {
+
+template <class Importance>
+class LibrarySubject : public RulesSubject<LightcutsRules, Importance> {
+public:
+  using RulesSubject<LightcutsRules, Importance>::RulesSubject;
+  [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
+                                                   std::uint64_t seed) const override {
+    return std::make_unique<BatchedTree<Importance>>(lightcuts::build(lights, {seed}));
+  }
+};
+
+} // namespace
+
 std::unique_ptr<Subject> library_subject() {
-  return std::make_unique<RulesSubject<LightcutsRules>>("lightcuts");
+  return std::make_unique<LibrarySubject<HierarchicalImportance<AnyFeatures>>>("lightcuts");
 }
 
 std::unique_ptr<Subject> stochastic_intensity_subject() {
-  return std::make_unique<RulesSubject<LightcutsRules, IntensityImportance>>(
-      "stochastic-intensity");
+  return std::make_unique<LibrarySubject<IntensityImportance>>("stochastic-intensity");
 }
 
 std::unique_ptr<Subject> paper_subject() {

@@ -57,7 +57,16 @@ void check_sum(const PointCase& at, std::uint32_t node, std::span<const double> 
 
 void check_drawn(const PointCase& at, std::uint32_t node, double u, const DrawnLight& drawn,
                  std::span<const std::uint32_t> lights, std::span<const double> p, Tally& tally) {
-  if (drawn.probability == 0) return;
+  if (drawn.probability == 0) {
+    // That is what is left of 1.
+    double none = 1;
+    for (const double one : p) none -= one;
+    tally.record(Property::draws_state_their_probability, none > 0x1p-40, at.place, no_ratio, [&] {
+      return fmt::format("{}: u = {} draws nothing of node {}, though its probabilities sum to 1",
+                         at_point(at), u, node);
+    });
+    return;
+  }
   const auto found = std::find(lights.begin(), lights.end(), drawn.light);
   const double stated = found == lights.end() ? 0 : p[std::size_t(found - lights.begin())];
   tally.record(Property::draws_state_their_probability, stated == drawn.probability, at.place,

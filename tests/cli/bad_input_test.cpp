@@ -249,8 +249,10 @@ TEST(JsonOption, IsRefusedWhereItCannotBeWritten) {
   create_directory(oracle.folder() / "folder");
   for (const char* file : {"folder", "nowhere/x.json", "x.json/"})
     expect_refusal(oracle.run({"report", "desk", "--json", file}), {file});
-  for (const char* command : {"render", "check", "mutants", "info"})
+  for (const char* command : {"render", "check", "info"})
     expect_refusal(oracle.run({command, "desk", "--json", "nowhere/x"}), {"nowhere/x"});
+  for (const char* command : {"mutants", "stress"})
+    expect_refusal(oracle.run({command, "--json", "nowhere/x"}), {"nowhere/x"});
   EXPECT_EQ(oracle.run({"scenes", "--json", "nowhere/x.json"}).exit_code, 3);
   EXPECT_EQ(oracle.files().size(), 1U);
 }

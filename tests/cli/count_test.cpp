@@ -51,5 +51,14 @@ TEST(ParseCount, RefusesAnythingElse) {
     EXPECT_EQ(parse_count(text), std::nullopt) << text;
 }
 
+TEST(ParseDuration, TakesSecondsMinutesAndHours) {
+  EXPECT_EQ(parse_duration("90"), 90);
+  EXPECT_EQ(parse_duration("90s"), 90);
+  EXPECT_EQ(parse_duration("10m"), 600);
+  EXPECT_EQ(parse_duration("2h"), 7200);
+  for (const char* text : {"", "s", "0", "0m", "1d", "-1s", "1.5h", "1e9h", "m10", "10 m"})
+    EXPECT_EQ(parse_duration(text), std::nullopt) << text;
+}
+
 } // namespace
 } // namespace lightcuts::cli

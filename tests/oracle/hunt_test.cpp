@@ -69,13 +69,13 @@ TEST(Hunt, FindsNothingWrongWithTheLibraryInThousandsOfCases) {
   EXPECT_THAT(violated(result.tally), IsEmpty());
 }
 
-// All but what a foreign subject may have, and what takes many draws.
+// All but what takes many draws.
 TEST(Hunt, AsksTheLibraryForEveryPropertyThatItHas) {
   const Tally tally = hunt(*library_subject(), config_of(400)).tally;
   for (std::size_t i = 0; i < property_count; ++i) {
     const Property p{std::uint8_t(i)};
     const bool of_sampling =
-        p >= Property::probabilities_sum_to_one && p <= Property::stochastic_is_unbiased;
+        p >= Property::draws_follow_probabilities && p <= Property::stochastic_is_unbiased;
     const bool of_materials =
         p == Property::brdf_is_reciprocal || p == Property::brdf_conserves_energy;
     EXPECT_EQ(tally[p].cases > 0, !of_sampling && !of_materials) << info(p).name;

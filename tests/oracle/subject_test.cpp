@@ -110,7 +110,7 @@ TEST(LibrarySubject, GivesTheLibrarysOwnAnswers) {
   const LightTree own = four_lights();
   const auto subject = library_subject();
   EXPECT_EQ(subject->name(), "lightcuts");
-  EXPECT_EQ(subject->parts(), library_parts);
+  EXPECT_EQ(subject->parts(), RulesSubject<LightcutsRules>::all_parts);
   const auto tree = subject->build(own.lights(), 1);
   const ShadingPoint point = diffuse_point();
   for (std::uint32_t i = 0; i < own.nodes().size(); ++i) {

@@ -192,7 +192,7 @@ TEST(PluginCheck, ConvictsWhatBuildsAnotherTreeForEachThread) {
 TEST(PluginCheck, PassesTheExample) {
   const CheckResult result = checked(*brute_tree());
   EXPECT_THAT(broken_names(result.tally), IsEmpty());
-  EXPECT_GT(result.tally[Property::bound_dominates_error].cases, 1000U);
+  EXPECT_GT(result.tally[Property::bound_dominates_error].cases, 50U);
   EXPECT_GT(result.tally[Property::zero_threshold_is_exact].cases, 0U);
   EXPECT_GT(result.tally[Property::probabilities_sum_to_one].cases, 0U);
   EXPECT_GT(result.tally[Property::refinement_order_is_strict].cases, 0U);
@@ -215,7 +215,8 @@ TEST(PluginParts, AreThoseThatItOffers) {
   EXPECT_EQ(plugin("only_bounds")->parts(), only(Part::bounds));
   EXPECT_EQ(plugin("only_cuts")->parts(), only(Part::cuts));
   EXPECT_EQ(plugin("only_probability")->parts(), 0U);
-  EXPECT_THAT(names_without(brute_tree()->parts()), testing::ElementsAre("occlusion", "pictures"));
+  EXPECT_THAT(names_without(brute_tree()->parts()),
+              testing::ElementsAre("occlusion", "pictures", "random cuts"));
 }
 
 TEST(PluginParts, AreJudgedAlone) {
@@ -286,7 +287,8 @@ TEST(PluginProcess, EndsWithItsSubject) {
     const auto tree = subject->build(three_lights().light_set(), 1);
     const auto other = tree->for_another_thread();
     EXPECT_EQ(children(), before + 2);
-    EXPECT_THAT(broken_names(verdict(*plugin("crash_in_bound"))), testing::Contains("subject-answers"));
+    EXPECT_THAT(broken_names(verdict(*plugin("crash_in_bound"))),
+                testing::Contains("subject-answers"));
   }
   EXPECT_EQ(children(), before);
 }

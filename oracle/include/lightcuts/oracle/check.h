@@ -20,6 +20,8 @@ struct CheckConfig {
   unsigned threads = 0;                 ///< 0: one per core
   std::function<void(double)> progress; ///< share done; called by one thread; may be empty
   std::function<bool()> cancelled;      ///< asked now and then whether to end; may be empty
+  /// Given what has been counted so far, twice a minute, by one thread; may be empty.
+  std::function<void(const struct CheckResult&)> checkpoint;
 };
 
 /// What check() has counted. Points are visited in order, so that it can go on from there.

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <variant>
@@ -40,12 +39,6 @@ public:
     return std::visit([&](const auto& lobe) { return rules_.bound(*tree_, node, point, lobe); },
                       point.material().lobe);
   }
-  void bounds(const ShadingPoint& point, std::span<glm::vec3> out) override {
-    if constexpr (std::is_same_v<Rules, LightcutsRules>)
-      contribution_bounds(*tree_, point, out);
-    else
-      SubjectTree::bounds(point, out);
-  }
   glm::vec3 lower_bound(std::uint32_t node, const ShadingPoint& point) override {
     return contribution_lower_bound(*tree_, node, point);
   }
@@ -69,20 +62,11 @@ public:
         point.material().lobe);
   }
   double probability(std::uint32_t node, const ShadingPoint& point, std::uint32_t light) override {
-    return probabilities(node, point, std::span(&light, 1)).front();
-  }
-  std::vector<double> probabilities(std::uint32_t node, const ShadingPoint& point,
-                                    std::span<const std::uint32_t> lights) override {
-    std::unordered_map<std::uint32_t, double> known;
-    std::visit(
+    return std::visit(
         [&](const auto& lobe) {
-          visit_probabilities(Importance(), *tree_, node, point, lobe,
-                              [&](std::uint32_t light, double p) { known[light] = p; });
+          return light_probability(Importance(), *tree_, node, light, point, lobe);
         },
         point.material().lobe);
-    std::vector<double> result;
-    for (const std::uint32_t light : lights) result.push_back(known[light]);
-    return result;
   }
   Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
            const std::function<bool(std::uint32_t)>& visible) override {
@@ -114,6 +98,33 @@ private:
   // The choice of a cut by the library's rules: only what is drawn is random.
   using RandomSelector = BasicStochasticCutSelector<LightcutsRules, Importance>;
   std::optional<std::pair<CutConfig, RandomSelector>> random_;
+};
+
+/// The library's own: the same answers, sooner where there are many at once. Not to be derived
+/// from: it would go on answering these itself.
+template <class Importance = HierarchicalImportance<AnyFeatures>>
+class BatchedTree final : public RulesTree<LightcutsRules, Importance> {
+public:
+  using RulesTree<LightcutsRules, Importance>::RulesTree;
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<BatchedTree>(this->shared_tree());
+  }
+  void bounds(const ShadingPoint& point, std::span<glm::vec3> out) override {
+    contribution_bounds(this->tree(), point, out);
+  }
+  std::vector<double> probabilities(std::uint32_t node, const ShadingPoint& point,
+                                    std::span<const std::uint32_t> lights) override {
+    std::unordered_map<std::uint32_t, double> known;
+    std::visit(
+        [&](const auto& lobe) {
+          visit_probabilities(Importance(), this->tree(), node, point, lobe,
+                              [&](std::uint32_t light, double p) { known[light] = p; });
+        },
+        point.material().lobe);
+    std::vector<double> result;
+    for (const std::uint32_t light : lights) result.push_back(known[light]);
+    return result;
+  }
 };
 
 /// The library, by name "lightcuts".

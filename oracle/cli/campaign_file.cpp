@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "campaign_file.h"
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "common.h"
+#include <lightcuts/input_error.h>
+#include <lightcuts/render/output_folder.h>
+
+namespace lightcuts::cli {
+namespace {
+
+using oracle::Property;
+using oracle::PropertyCount;
+
+constexpr const char* schema = "lightcuts-oracle/campaign/1";
+
+nlohmann::ordered_json json_of(const PropertyCount& count) {
+  return {{"cases", count.cases},
+          {"violations", count.violations},
+          {"worst_ratio", count.worst_ratio},
+          {"first_place", count.first_place},
+          {"first_violation", count.first_violation}};
+}
+
+PropertyCount count_of(const nlohmann::json& json) {
+  PropertyCount count;
+  json.at("cases").get_to(count.cases);
+  json.at("violations").get_to(count.violations);
+  json.at("worst_ratio").get_to(count.worst_ratio);
+  json.at("first_place").get_to(count.first_place);
+  json.at("first_violation").get_to(count.first_violation);
+  return count;
+}
+
+oracle::CheckResult result_of(const nlohmann::json& json) {
+  oracle::CheckResult result;
+  json.at("points").get_to(result.points);
+  json.at("pairs").get_to(result.pairs);
+  json.at("rays").get_to(result.rays);
+  json.at("undecided_rays").get_to(result.undecided_rays);
+  json.at("seconds").get_to(result.seconds);
+  json.at("swept_pairs").get_to(result.swept_pairs);
+  json.at("sweep_seconds").get_to(result.sweep_seconds);
+  for (std::size_t i = 0; i < oracle::property_count; ++i)
+    result.tally.restore(Property(i), count_of(json.at("properties").at(info(Property(i)).name)));
+  return result;
+}
+
+} // namespace
+
+CampaignFile::CampaignFile(std::filesystem::path file, nlohmann::ordered_json what)
+    : file_(std::move(file)), what_(std::move(what)) {}
+
+oracle::CheckResult CampaignFile::load() const {
+  if (!std::filesystem::exists(file_)) return {};
+  std::ifstream in(file_);
+  if (!in) throw InputError(file_.string() + ": cannot be read");
+  try {
+    const nlohmann::json json = nlohmann::json::parse(in);
+    if (json.at("schema") != schema)
+      throw InputError(file_.string() + ": is of another version of lightcuts-oracle");
+    for (const auto& [name, value] : what_.items())
+      if (json.at("of").at(name) != value)
+        throw InputError(fmt::format("{}: was begun with {} {}, not {}", file_.string(), name,
+                                     json.at("of").at(name).dump(), value.dump()));
+    return result_of(json.at("result"));
+  } catch (const nlohmann::json::exception& e) {
+    throw InputError(
+        fmt::format("{}: is not what --resume has written: {}", file_.string(), e.what()));
+  }
+}
+
+void CampaignFile::save(const oracle::CheckResult& result) const {
+  nlohmann::ordered_json json{{"schema", schema}, {"of", what_}};
+  auto& saved = json["result"];
+  saved = {{"points", result.points},
+           {"pairs", result.pairs},
+           {"rays", result.rays},
+           {"undecided_rays", result.undecided_rays},
+           {"seconds", result.seconds},
+           {"swept_pairs", result.swept_pairs},
+           {"sweep_seconds", result.sweep_seconds}};
+  auto& properties = saved["properties"] = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < oracle::property_count; ++i)
+    properties[info(Property(i)).name] = json_of(result.tally[Property(i)]);
+  write_file_atomically(file_, text_of(json));
+}
+
+} // namespace lightcuts::cli
