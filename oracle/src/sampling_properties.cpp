@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-constexpr double noticed_bias = 0.01, overlooked = 0.001;
+constexpr double noticed_bias = 0.01, noticed_probability = 0.05, overlooked = 0.001;
 
 std::string at_point(const PointCase& at) {
   const glm::vec3& x = at.point.position();
@@ -144,6 +145,28 @@ void check_frequencies(const Judged& judged, const PointCase& at, const Lottery&
   }
 }
 
+/// So many that all is noticed that is to be; nothing if that is too many.
+std::optional<std::uint64_t> draws_for(const PointCase& at, const std::vector<Lottery>& lotteries,
+                                       const std::array<Spread, 3>& spread, double rate,
+                                       std::uint64_t most) {
+  const auto to_notice = [&](double deviation, const Spread& of) {
+    return draws_to_notice(deviation, of, rate, overlooked, most);
+  };
+  std::uint64_t draws = 1;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto truth = double(at.truth.seen(0)[c]);
+    if (!(truth > 0x1p-100)) continue;
+    const auto needed = to_notice(noticed_bias * truth, spread[c]);
+    if (!needed) return std::nullopt;
+    draws = std::max(draws, *needed);
+  }
+  const bool random = std::any_of(lotteries.begin(), lotteries.end(),
+                                  [](const Lottery& l) { return l.p.size() > 1; });
+  if (!random) return draws;
+  const auto needed = to_notice(noticed_probability, {0.25, 1});
+  return needed ? std::optional(std::max(draws, *needed)) : std::nullopt;
+}
+
 /// What is gathered of random cuts.
 struct Sums {
   std::array<long double, 3> radiance{};
@@ -226,8 +249,7 @@ void check_draws(const Judged& judged, const CutConfig& cut, const DrawConfig& c
       spread[c].variance += l.spread[c].variance;
       spread[c].range += l.spread[c].range;
     }
-  const auto draws =
-      draws_to_notice(noticed_bias * truth, spread[channel], rate, overlooked, config.max_draws);
+  const auto draws = draws_for(at, lotteries, spread, rate, config.max_draws);
   if (!draws) return;
 
   for (const Lottery& l : lotteries)

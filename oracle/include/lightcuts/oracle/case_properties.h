@@ -32,10 +32,11 @@ void check_agreement(const Judged& judged, const CutConfig& cut, const PointCase
 void check_probabilities(const Judged& judged, const PointCase& at, Tally& tally);
 
 /// Draws so many lights that, all cases of a run taken together, the chance of any false alarm is
-/// at most false_alarms (each test has its Sidak share), and a bias of 1 % of the mean in its
-/// brightest channel goes unnoticed with a probability of at most 0.001:
-/// draws-follow-probabilities, draws-are-independent, stochastic-is-unbiased. Nothing where that
-/// takes more than max_draws. cases: how many calls share false_alarms.
+/// at most false_alarms (each test has its Sidak share), and a bias of 1 % of the mean in any
+/// channel, and a light that is drawn with a probability 0.05 off, each go unnoticed with a
+/// probability of at most 0.001: stochastic-is-unbiased, draws-follow-probabilities, and
+/// draws-are-independent, which is tested with the same draws and states no power. Nothing where
+/// that takes more than max_draws. cases: how many calls share false_alarms.
 struct DrawConfig {
   double false_alarms = 1e-6;
   std::uint64_t cases = 1;
