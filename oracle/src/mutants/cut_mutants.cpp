@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -48,12 +47,9 @@ struct CacheAcrossPoints : LightcutsRules {
 };
 
 /// Selects by cached bounds; asked for one, it computes it.
-class CachingTree : public RulesTree<CacheAcrossPoints> {
+class CachingTree : public CopiedPerThread<CachingTree, RulesTree<CacheAcrossPoints>> {
 public:
-  using RulesTree::RulesTree;
-  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<CachingTree>(shared_tree());
-  }
+  using CopiedPerThread<CachingTree, RulesTree<CacheAcrossPoints>>::CopiedPerThread;
   glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) override {
     rules().bounds.clear();
     return RulesTree::bound(node, point);
@@ -127,16 +123,14 @@ struct OpenCut {
 };
 
 template <void spoil(OpenCut&)>
-class SpoiltTree : public RulesTree<LightcutsRules> {
+class SpoiltTree : public CopiedPerThread<SpoiltTree<spoil>> {
 public:
-  using RulesTree::RulesTree;
-  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<SpoiltTree>(shared_tree());
-  }
+  using CopiedPerThread<SpoiltTree<spoil>>::CopiedPerThread;
   Cut select(const ShadingPoint& point, const CutConfig& config,
              const std::function<bool(std::uint32_t)>& visible) override {
-    const Cut cut = RulesTree::select(point, config, visible);
-    OpenCut open{tree(), point, config, visible, cut, {cut.clusters.begin(), cut.clusters.end()}};
+    const Cut cut = RulesTree<LightcutsRules>::select(point, config, visible);
+    OpenCut open{this->tree(), point, config,
+                 visible,      cut,   {cut.clusters.begin(), cut.clusters.end()}};
     spoil(open);
     clusters_ = std::move(open.clusters);
     open.cut.clusters = clusters_;
@@ -215,15 +209,12 @@ void subtract_without_summing_anew(OpenCut& open) {
 // ---- another configuration
 
 template <CutConfig other(const CutConfig&, RulesTree<LightcutsRules>&, const ShadingPoint&)>
-class ReconfiguredTree : public RulesTree<LightcutsRules> {
+class ReconfiguredTree : public CopiedPerThread<ReconfiguredTree<other>> {
 public:
-  using RulesTree::RulesTree;
-  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<ReconfiguredTree>(shared_tree());
-  }
+  using CopiedPerThread<ReconfiguredTree<other>>::CopiedPerThread;
   Cut select(const ShadingPoint& point, const CutConfig& config,
              const std::function<bool(std::uint32_t)>& visible) override {
-    Cut cut = RulesTree::select(point, other(config, *this, point), visible);
+    Cut cut = RulesTree<LightcutsRules>::select(point, other(config, *this, point), visible);
     if (cut.end == CutEnd::black_level) cut.end = CutEnd::converged;
     return cut;
   }

@@ -102,6 +102,16 @@ std::unique_ptr<Subject> with_suprema(const char* name) {
   return with_bounds<BoundedBy<Suprema>>(name);
 }
 
+/// A tree that is copied for another thread as what it is: Self, made of the library's tree.
+template <class Self, class Base = RulesTree<LightcutsRules>>
+class CopiedPerThread : public Base {
+public:
+  using Base::Base;
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<Self>(this->shared_tree());
+  }
+};
+
 /// The library, its tree answering through `Tree`, made of the library's own.
 template <class Tree>
 class WithTree : public RulesSubject<LightcutsRules> {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <atomic>
 #include <vector>
 
 #include <lightcuts/splitmix.h>
@@ -59,12 +58,9 @@ private:
 };
 
 /// Numbers of its own at each level, not u: asked again, it draws another light.
-class RandomNumberLost : public OtherDraws {
+class RandomNumberLost : public CopiedPerThread<RandomNumberLost, OtherDraws> {
 public:
-  using OtherDraws::OtherDraws;
-  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<RandomNumberLost>(shared_tree());
-  }
+  using CopiedPerThread<RandomNumberLost, OtherDraws>::CopiedPerThread;
   DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double /*u*/) override {
     return OtherDraws::sample(node, point, double(splitmix64(count_++) >> 11) * 0x1p-53);
   }
@@ -73,12 +69,9 @@ private:
   std::uint64_t count_ = 0;
 };
 
-class OneNumberForAll : public OtherDraws {
+class OneNumberForAll : public CopiedPerThread<OneNumberForAll, OtherDraws> {
 public:
-  using OtherDraws::OtherDraws;
-  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<OneNumberForAll>(shared_tree());
-  }
+  using CopiedPerThread<OneNumberForAll, OtherDraws>::CopiedPerThread;
 
 protected:
   [[nodiscard]] double number(std::uint64_t query, std::uint32_t /*node*/) const override {
@@ -87,12 +80,9 @@ protected:
 };
 
 /// One light for its probability, another one to shade with.
-class ResampledBetween : public OtherDraws {
+class ResampledBetween : public CopiedPerThread<ResampledBetween, OtherDraws> {
 public:
-  using OtherDraws::OtherDraws;
-  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<ResampledBetween>(shared_tree());
-  }
+  using CopiedPerThread<ResampledBetween, OtherDraws>::CopiedPerThread;
 
 protected:
   glm::dvec3 estimate_of(std::uint32_t node, const ShadingPoint& point, std::uint64_t query,
@@ -106,27 +96,24 @@ protected:
 
 /// Draws by other shares of the children.
 template <ChildShares shares(const LightTree&, std::uint32_t node, const ShadingPoint&)>
-class OtherShares : public OtherDraws {
+class OtherShares : public CopiedPerThread<OtherShares<shares>, OtherDraws> {
 public:
-  using OtherDraws::OtherDraws;
-  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<OtherShares>(shared_tree());
-  }
+  using CopiedPerThread<OtherShares<shares>, OtherDraws>::CopiedPerThread;
   DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
     double p = 1;
-    while (!tree().node(node).is_leaf()) {
-      const ChildShares share = shares(tree(), node, point);
+    while (!this->tree().node(node).is_leaf()) {
+      const ChildShares share = shares(this->tree(), node, point);
       if (share.first == 0 && share.second == 0) return {};
       const bool first = u < share.first;
       u = std::min(first ? u / share.first : (u - share.first) / share.second, 1 - 0x1p-53);
       p *= first ? share.first : share.second;
-      node = tree().node(node).first_child + (first ? 0 : 1);
+      node = this->tree().node(node).first_child + (first ? 0 : 1);
     }
-    return {tree().node(node).representative, p};
+    return {this->tree().node(node).representative, p};
   }
   std::vector<double> probabilities(std::uint32_t node, const ShadingPoint& point,
                                     std::span<const std::uint32_t> lights) override {
-    std::vector<double> known(tree().lights().size(), 0);
+    std::vector<double> known(this->tree().lights().size(), 0);
     visit(node, point, 1, known);
     std::vector<double> result;
     for (const std::uint32_t light : lights) result.push_back(known[light]);
@@ -135,12 +122,12 @@ public:
 
 private:
   void visit(std::uint32_t node, const ShadingPoint& point, double p, std::vector<double>& known) {
-    const TreeNode& n = tree().node(node);
+    const TreeNode& n = this->tree().node(node);
     if (n.is_leaf()) {
       known[n.representative] = p;
       return;
     }
-    const ChildShares share = shares(tree(), node, point);
+    const ChildShares share = shares(this->tree(), node, point);
     visit(n.first_child, point, p * share.first, known);
     visit(n.first_child + 1, point, p * share.second, known);
   }
@@ -160,12 +147,9 @@ ChildShares shares_by_centre(const LightTree& tree, std::uint32_t node, const Sh
 }
 
 /// Goes on with u p where it should with u / p.
-class InverseProbability : public OtherDraws {
+class InverseProbability : public CopiedPerThread<InverseProbability, OtherDraws> {
 public:
-  using OtherDraws::OtherDraws;
-  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<InverseProbability>(shared_tree());
-  }
+  using CopiedPerThread<InverseProbability, OtherDraws>::CopiedPerThread;
   DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
     double p = 1;
     while (!tree().node(node).is_leaf()) {
@@ -181,12 +165,9 @@ public:
 };
 
 /// Divides by the probability by intensity, but draws by importance.
-class PdfMismatch : public OtherDraws {
+class PdfMismatch : public CopiedPerThread<PdfMismatch, OtherDraws> {
 public:
-  using OtherDraws::OtherDraws;
-  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<PdfMismatch>(shared_tree());
-  }
+  using CopiedPerThread<PdfMismatch, OtherDraws>::CopiedPerThread;
   DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
     DrawnLight drawn = OtherDraws::sample(node, point, u);
     if (drawn.probability > 0)

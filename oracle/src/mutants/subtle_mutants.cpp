@@ -111,12 +111,9 @@ struct BlueIgnored : LightcutsRules {
 };
 
 /// A tree of the library that answers one thing another way.
-class LowerBoundOneUlpUp : public RulesTree<LightcutsRules> {
+class LowerBoundOneUlpUp : public CopiedPerThread<LowerBoundOneUlpUp> {
 public:
-  using RulesTree::RulesTree;
-  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<LowerBoundOneUlpUp>(shared_tree());
-  }
+  using CopiedPerThread<LowerBoundOneUlpUp>::CopiedPerThread;
   glm::vec3 lower_bound(std::uint32_t node, const ShadingPoint& point) override {
     glm::vec3 low = RulesTree::lower_bound(node, point);
     for (int c = 0; c < 3; ++c)
@@ -125,12 +122,9 @@ public:
   }
 };
 
-class CertifiedWithoutRounding : public RulesTree<LightcutsRules> {
+class CertifiedWithoutRounding : public CopiedPerThread<CertifiedWithoutRounding> {
 public:
-  using RulesTree::RulesTree;
-  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<CertifiedWithoutRounding>(shared_tree());
-  }
+  using CopiedPerThread<CertifiedWithoutRounding>::CopiedPerThread;
   Cut select(const ShadingPoint& point, const CutConfig& config,
              const std::function<bool(std::uint32_t)>& visible) override {
     Cut cut = RulesTree::select(point, config, visible);
