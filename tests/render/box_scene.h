@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -67,13 +68,17 @@ inline glm::dvec3 oriented_power(const LightSet& lights, std::size_t first = 0) 
   return 3.14159265358979323846 * sum;
 }
 
+/// A closed room around an omni light.
+inline const glm::vec3 room_size(2, 3, 4); // 52 m^2 of wall
+inline const glm::vec3 lamp_position(0.7F, 2, 1.5F);
+inline Scene lit_room(const glm::vec3& reflectance, const glm::vec3& intensity = glm::vec3(1)) {
+  Scene scene = closed_box(room_size, reflectance);
+  scene.lights.add_omni(lamp_position, intensity);
+  return scene;
+}
+
 inline bool same_bits(const LightSet& a, const LightSet& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i].kind != b[i].kind || a[i].position != b[i].position ||
-        a[i].intensity != b[i].intensity || a[i].axis != b[i].axis)
-      return false;
-  return true;
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
 } // namespace lightcuts::test

@@ -16,18 +16,12 @@
 namespace lightcuts {
 namespace {
 
+using test::lamp_position;
+using test::lit_room;
 using test::oriented_power;
+using test::room_size;
 
 constexpr double pi = 3.14159265358979323846;
-const glm::vec3 room_size(2, 3, 4); // 52 m^2 of wall
-const glm::vec3 lamp_position(0.7F, 2, 1.5F);
-
-Scene lit_room(const glm::vec3& reflectance, const glm::vec3& intensity = glm::vec3(1)) {
-  Scene scene = test::closed_box(room_size, reflectance);
-  scene.lights.add_omni(lamp_position, intensity);
-  return scene;
-}
-
 Scene with_surfels(Scene scene, const Surfels& config) {
   add_surfels(scene, config);
   return scene;

@@ -15,19 +15,12 @@
 namespace lightcuts {
 namespace {
 
+using test::lamp_position;
+using test::lit_room;
 using test::oriented_power;
+using test::room_size;
 
 constexpr double pi = 3.14159265358979323846;
-const glm::vec3 room_size(2, 3, 4);
-const glm::vec3 lamp_position(0.7F, 2, 1.5F);
-
-/// A closed room around an omni light.
-Scene lit_room(const glm::vec3& reflectance, const glm::vec3& intensity = glm::vec3(1)) {
-  Scene scene = test::closed_box(room_size, reflectance);
-  scene.lights.add_omni(lamp_position, intensity);
-  return scene;
-}
-
 Scene traced(Scene scene, const VirtualPointLights& config) {
   add_virtual_point_lights(scene, config);
   return scene;
