@@ -367,7 +367,7 @@ lightcuts::Scene Case::scene() const {
 Case random_case(std::uint64_t seed, std::uint64_t index) {
   Dice dice(hashed(seed, index));
   constexpr std::uint64_t every = 500; // a second each
-  if (index % every == every - 1) return lottery(dice);
+  if (index % every == every - 1 && index / every < most_cases_with_draws) return lottery(dice);
   return dice.one_in(8) ? picture(dice) : lights_and_views(dice);
 }
 

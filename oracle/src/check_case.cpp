@@ -10,8 +10,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-// For runs of up to 10 000 cases with draws.
-constexpr DrawConfig draw_config{.false_alarms = 1e-6, .cases = 10'000};
+constexpr DrawConfig draw_config{.false_alarms = 1e-6, .cases = most_cases_with_draws};
 
 /// What to look at: everything, or what says something about one property.
 struct Scope {

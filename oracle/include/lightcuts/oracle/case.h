@@ -49,6 +49,10 @@ struct Case {
   bool operator==(const Case&) const = default;
 };
 
+/// Among how many cases with draws, in one run, the rate of false alarms is shared: no run has
+/// more.
+inline constexpr std::uint64_t most_cases_with_draws = 10'000;
+
 /// The index-th random case of a seed: as gen::make_scene() has it, with one to three views; one in
 /// eight with a few triangles; one in 500 to be judged by many draws. Same arguments, same bits.
 [[nodiscard]] Case random_case(std::uint64_t seed, std::uint64_t index);
