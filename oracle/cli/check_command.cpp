@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <bit>
 #include <csignal>
 #include <memory>
 #include <optional>
@@ -17,6 +18,7 @@
 #include <lightcuts/oracle/check.h>
 #include <lightcuts/oracle/scene_case.h>
 #include <lightcuts/render/needs.h>
+#include <lightcuts/splitmix.h>
 #include <lightcuts/tree_builder.h>
 
 namespace lightcuts::cli {
@@ -103,6 +105,25 @@ std::string counterexample_text(const CheckResult& result,
                      info(properties.front()).name);
 }
 
+/// A hash of all lights, whatever made them.
+std::uint64_t fingerprint(const LightSet& lights) {
+  std::uint64_t hash = lights.size();
+  const auto add = [&hash](float value) {
+    hash = splitmix64(hash ^ std::bit_cast<std::uint32_t>(value));
+  };
+  const auto add_vector = [&add](const glm::vec3& v) {
+    for (int i = 0; i < 3; ++i) add(v[i]);
+  };
+  add(lights.min_distance());
+  for (const Light& light : lights) {
+    add(float(int(light.kind)));
+    for (const glm::vec3& v : {light.position, light.intensity, light.axis}) add_vector(v);
+    add(light.cos_inner);
+    add(light.cos_outer);
+  }
+  return hash;
+}
+
 /// What the counts depend on.
 nlohmann::ordered_json campaign_of(const CheckOptions& options, const Scene& scene,
                                    const oracle::CheckConfig& config) {
@@ -110,6 +131,7 @@ nlohmann::ordered_json campaign_of(const CheckOptions& options, const Scene& sce
           {"subject", full_name(options.subject)},
           {"seed", options.seed},
           {"lights", scene.lights.size()},
+          {"hash of the lights", fingerprint(scene.lights)},
           {"triangles", scene.mesh.triangles.size()},
           {"width", scene.image_size.x},
           {"height", scene.image_size.y},

@@ -74,7 +74,9 @@ void add_replay_command(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "replay", "Judge a saved counterexample again, and show the arithmetic step by step (exit "
                 "code 1 while the property does not hold).");
-  command->add_option("FILE", options->file, "counterexample-PROPERTY.json of 'check' or 'stress'")
+  command
+      ->add_option("FILE", options->file,
+                   "a counterexample-NAME.json of 'check', 'stress' or 'mutants'")
       ->required();
   command->add_option("--subject", options->subject,
                       "whom to judge, as check and stress have it; default: the file's");

@@ -178,6 +178,9 @@ TEST(Campaign, RefusesTheFileOfAnother) {
   const Outcome other = oracle.run(with(kept, {"--seed", "9"}));
   EXPECT_EQ(other.exit_code, 3);
   EXPECT_THAT(other.err, HasSubstr("seed 1, not 9"));
+  const Outcome clamped = oracle.run(with(kept, {"--min-distance", "0.5"}));
+  EXPECT_EQ(clamped.exit_code, 3);
+  EXPECT_THAT(clamped.err, HasSubstr("hash of the lights"));
   std::ofstream(oracle.folder() / "kept.json") << "{\"schema\": 3";
   EXPECT_EQ(oracle.run(kept).exit_code, 3);
   EXPECT_EQ(oracle.run(with(small_check, {"--resume", "/dev/null/x"})).exit_code, 3);

@@ -10,7 +10,7 @@ namespace lightcuts::oracle {
 
 /// A counterexample and whose it is.
 struct SavedCounterexample {
-  /// "lightcuts", "paper", "mutant:NAME", or the path of a plug-in: see subject_named() of the
+  /// "lightcuts", "paper", "mutant:NAME", or the path of a plug-in: see subject_for() of the
   /// command line.
   std::string subject;
   Counterexample counterexample;
