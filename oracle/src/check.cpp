@@ -117,9 +117,10 @@ bool answers(std::uint64_t place, Tally& tally, Work&& work) {
   return failure.empty();
 }
 
-/// Rays per shading point, so that brute force takes a tenth of the time or so.
+/// Rays per shading point, so that brute force takes a tenth of the time or so; where triangles are
+/// few, a ray takes time all the same.
 double ray_rate(const Scene& scene, const Topology& topology) {
-  return 2 * double(topology.size()) / double(scene.mesh.triangles.size());
+  return std::min(2 * double(topology.size()) / double(scene.mesh.triangles.size()), 500.0);
 }
 
 constexpr double seconds_per_checkpoint = 30;
