@@ -74,7 +74,7 @@ std::string json_of(const CheckOptions& options, const oracle::Subject& subject,
                     const std::optional<CounterexampleFile>& file) {
   nlohmann::ordered_json json{{"schema", "lightcuts-oracle/check/1"},
                               {"scene", options.scene},
-                              {"subject", full_name(options.subject)},
+                              {"subject", oracle::full_subject_name(options.subject)},
                               {"not_judged", oracle::names_without(subject.parts())},
                               {"seed", options.seed},
                               {"threshold", std::stod(fmt::format("{}", cut.threshold))},
@@ -128,7 +128,7 @@ std::uint64_t fingerprint(const LightSet& lights) {
 nlohmann::ordered_json campaign_of(const CheckOptions& options, const Scene& scene,
                                    const oracle::CheckConfig& config) {
   return {{"scene", options.scene},
-          {"subject", full_name(options.subject)},
+          {"subject", oracle::full_subject_name(options.subject)},
           {"seed", options.seed},
           {"lights", scene.lights.size()},
           {"hash of the lights", fingerprint(scene.lights)},
@@ -171,7 +171,8 @@ int run(const CheckOptions& options) {
   const CheckResult result = checked(options, view, *subject, config);
   std::optional<CounterexampleFile> file;
   if (const auto found = counterexample_of(*subject, view, config, result))
-    file.emplace(*subject, full_name(options.subject), *found, output_folder_for(options));
+    file.emplace(*subject, oracle::full_subject_name(options.subject), *found,
+                 output_folder_for(options));
   const std::string json = json_of(options, *subject, result, config.cut, file);
   folder.write("check.json", json);
   print_results(options,

@@ -98,8 +98,9 @@ void save(const std::vector<Verdict>& verdicts, const std::string& json, OutputF
   write_file_atomically(folder.stage("mutants.json"), json);
   for (const Verdict& v : verdicts)
     if (v.found)
-      write_file_atomically(folder.stage("counterexample-" + v.name + ".json"),
-                            oracle::counterexample_json({full_name(v.name), *v.found}));
+      write_file_atomically(
+          folder.stage("counterexample-" + v.name + ".json"),
+          oracle::counterexample_json({oracle::full_subject_name(v.name), *v.found}));
   folder.commit();
 }
 

@@ -67,7 +67,7 @@ nlohmann::ordered_json properties_json(const oracle::Tally& tally) {
 
 int exit_code_for(const oracle::Tally& tally, const oracle::Subject& subject) {
   if (tally.violations() > 0) return violated;
-  return tally.wasteful() > 0 && is_library(subject) ? violated : all_holds;
+  return tally.wasteful() > 0 && oracle::is_library(subject) ? violated : all_holds;
 }
 
 } // namespace lightcuts::cli

@@ -55,7 +55,7 @@ std::string text_for(const oracle::Subject& subject, const oracle::SavedCountere
 int run(const ReplayOptions& options) {
   require_writable_json(options);
   oracle::SavedCounterexample saved = oracle::load_counterexample(options.file);
-  if (!options.subject.empty()) saved.subject = full_name(options.subject);
+  if (!options.subject.empty()) saved.subject = oracle::full_subject_name(options.subject);
   if (options.as_test) {
     fmt::print("{}", oracle::as_test(saved));
     return all_holds;

@@ -22,7 +22,7 @@ oracle::HuntResult hunted(const StressOptions& options, const oracle::Subject& s
   oracle::HuntConfig config;
   config.seed = options.seed;
   config.cases = *parse_count(options.cases);
-  config.waste = is_library(subject);
+  config.waste = oracle::is_library(subject);
   Progress progress("stress " + options.subject);
   config.progress = progress.callback();
   return hunt(subject, config);
@@ -41,15 +41,15 @@ std::optional<oracle::Counterexample> counterexample_of(const oracle::HuntResult
 
 std::string stress_command(const StressOptions& options, std::uint64_t cases) {
   return fmt::format("lightcuts-oracle stress --subject {} --seed {} --cases {}",
-                     quoted(full_name(options.subject)), options.seed, cases);
+                     quoted(oracle::full_subject_name(options.subject)), options.seed, cases);
 }
 
 std::string table_of(const StressOptions& options, const oracle::Subject& subject,
                      const oracle::HuntResult& result,
                      const std::optional<CounterexampleFile>& file) {
-  std::string text = fmt::format("{}: {} random cases of seed {}, {:.1f} s\n\n{}",
-                                 full_name(options.subject), result.cases, options.seed,
-                                 result.seconds, property_table(result.tally, subject));
+  std::string text = fmt::format(
+      "{}: {} random cases of seed {}, {:.1f} s\n\n{}", oracle::full_subject_name(options.subject),
+      result.cases, options.seed, result.seconds, property_table(result.tally, subject));
   if (file)
     text +=
         file->text() + fmt::format("find it again:\n  {}\n", stress_command(options, result.cases));
@@ -60,7 +60,7 @@ std::string json_of(const StressOptions& options, const oracle::Subject& subject
                     const oracle::HuntResult& result,
                     const std::optional<CounterexampleFile>& file) {
   nlohmann::ordered_json json{{"schema", "lightcuts-oracle/stress/1"},
-                              {"subject", full_name(options.subject)},
+                              {"subject", oracle::full_subject_name(options.subject)},
                               {"not_judged", oracle::names_without(subject.parts())},
                               {"seed", options.seed},
                               {"cases", result.cases}};
@@ -79,7 +79,7 @@ int run(const StressOptions& options) {
   const oracle::HuntResult result = hunted(options, *subject);
   std::optional<CounterexampleFile> file;
   if (const auto found = counterexample_of(result, options.seed))
-    file.emplace(*subject, full_name(options.subject), *found, options.out);
+    file.emplace(*subject, oracle::full_subject_name(options.subject), *found, options.out);
   print_results(options, table_of(options, *subject, result, file),
                 json_of(options, *subject, result, file));
   return exit_code_for(result.tally, *subject);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <lightcuts/oracle/subject.h>
+#include <lightcuts/oracle/subjects.h>
 
 namespace lightcuts::cli {
 
@@ -18,15 +17,8 @@ struct SubjectOptions {
 /// Adds --subject and --time-limit.
 void add_subject_options(CLI::App& command, SubjectOptions& options);
 
-/// "lightcuts", "paper", "stochastic-intensity", "mutant:NAME", a mutant's mere name, or the file
-/// of a plug-in: what has a slash or ends in ".so". Throws InputError, naming it, where there is no
-/// such subject.
-[[nodiscard]] std::unique_ptr<oracle::Subject> subject_for(const SubjectOptions& options);
-
-/// The name in full by which files remember a subject: a mutant's gets its "mutant:".
-[[nodiscard]] std::string full_name(const std::string& name);
-
-/// Whether it is the library, of which waste is a failure, too.
-[[nodiscard]] bool is_library(const oracle::Subject& subject);
+[[nodiscard]] inline std::unique_ptr<oracle::Subject> subject_for(const SubjectOptions& options) {
+  return oracle::subject_named(options.subject, options.time_limit);
+}
 
 } // namespace lightcuts::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <lightcuts/error_bound.h>
+#include <lightcuts/oracle/failing_place.h>
 #include <lightcuts/oracle/radiometry.h>
 #include <lightcuts/tree_builder.h>
 
@@ -314,10 +315,8 @@ std::string explain_cluster(const Judged& judged, Property property, const Point
   if (!judged.has(Part::bounds)) return {};
   std::vector<glm::vec3> bounds(at.topology().size());
   judged.tree.bounds(at.point, bounds);
-  for (std::uint32_t node = 0; node < bounds.size(); ++node)
-    if (fails(property, [&](Tally& tally) { check_cluster(judged, node, at, bounds, tally); }))
-      return cluster_text(judged, property, at, node, bounds);
-  return {};
+  const auto node = failing_cluster(judged, property, at, bounds);
+  return node ? cluster_text(judged, property, at, *node, bounds) : std::string();
 }
 
 } // namespace lightcuts::oracle

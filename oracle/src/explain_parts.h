@@ -14,14 +14,6 @@
 /// What explain() is made of.
 namespace lightcuts::oracle {
 
-/// Whether `check`, given a tally, finds the property violated.
-template <class Check>
-bool fails(Property property, Check&& check) {
-  Tally tally;
-  check(tally);
-  return tally[property].violations > 0;
-}
-
 /// A name, a value and a remark, one below the other's.
 inline std::string line(const std::string& name, const std::string& value,
                         const std::string& note = "") {

@@ -11,6 +11,7 @@
 #include <tbb/task_arena.h>
 
 #include <lightcuts/input_error.h>
+#include <lightcuts/no_specular_bound_rules.h>
 #include <lightcuts/oracle/clairvoyant.h>
 #include <lightcuts/oracle/image_error.h>
 #include <lightcuts/oracle/library_subject.h>
@@ -61,6 +62,10 @@ bool leaves_tree_out(const Row& row) {
   return row.config.method == Method::lightcuts && !row.config.use_tree;
 }
 
+void throw_if_cancelled(const MeasureConfig& config) {
+  if (config.cancelled && config.cancelled()) throw MeasureCancelled();
+}
+
 void run_in_turn(const SceneView& view, const LightTree& tree, const MeasureConfig& config,
                  std::vector<Row>& rows) {
   const double total = double(rows.size()) * config.repeats;
@@ -71,7 +76,9 @@ void run_in_turn(const SceneView& view, const LightTree& tree, const MeasureConf
       if (leaves_tree_out(row)) continue;
       if (config.progress)
         row.config.progress = [&](double share) { config.progress((done - 1 + share) / total); };
+      row.config.cancelled = config.cancelled;
       Rendering picture = render(view, tree, row.config);
+      throw_if_cancelled(config);
       row.seconds.push_back(picture.seconds);
       row.picture = std::move(picture);
     }
@@ -119,6 +126,8 @@ SampledSizes sample_sizes(const SceneView& view, SubjectTree& subject, const Cut
 std::unique_ptr<SubjectTree> tree_of(Method method, const LightTree& tree) {
   if (method == Method::paper) return std::make_unique<RulesTree<PaperRules>>(tree);
   if (method == Method::unscaled) return std::make_unique<RulesTree<UnscaledRules>>(tree);
+  if (method == Method::no_specular_bound)
+    return std::make_unique<RulesTree<NoSpecularBoundRules>>(tree);
   return std::make_unique<RulesTree<LightcutsRules>>(tree);
 }
 
@@ -242,6 +251,7 @@ Measurement measure(const SceneView& view, const MeasureConfig& config) {
   run_in_turn(view, tree, config, rows);
 
   for (const Row& row : rows) {
+    throw_if_cancelled(config);
     Run run = summary(row, rows.front(), build_seconds);
     if (is_stochastic(row.config.method)) {
       m.report.runs.push_back(run);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/colour_map.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <OpenImageIO/imageio.h>
@@ -33,6 +36,20 @@ Picture read_png(const std::filesystem::path& file) {
 }
 
 int brightness(const Rgb8& c) { return 2 * c.r + 7 * c.g + c.b; }
+
+TEST(HeatColour, differs_from_map_to_map) {
+  std::set<std::string> names;
+  std::set<std::array<int, 3>> colours;
+  for (const ColourMap map : all_colour_maps) {
+    names.insert(name_of(map));
+    const Rgb8 c = heat_colour(0.6F, {}, map);
+    colours.insert({c.r, c.g, c.b});
+    EXPECT_EQ(heat_colour(nan, {}, map), nan_colour);
+  }
+  EXPECT_EQ(names.size(), std::size(all_colour_maps));
+  EXPECT_EQ(colours.size(), std::size(all_colour_maps));
+  EXPECT_EQ(heat_colour(0.6F, {}), heat_colour(0.6F, {}, ColourMap::inferno));
+}
 
 TEST(Srgb8, encodes_and_clamps) {
   EXPECT_EQ(srgb8(glm::vec3(0, 0.5F, 1)), Rgb8(0, 188, 255));

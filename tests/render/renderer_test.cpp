@@ -3,7 +3,9 @@
 
 #include <atomic>
 #include <cmath>
+#include <mutex>
 #include <string_view>
+#include <tuple>
 
 #include <gtest/gtest.h>
 #include <lightcuts/certified_error.h>
@@ -214,6 +216,63 @@ TEST(Renderer, RendersTheLastRowAndColumn) {
   EXPECT_EQ(r.radiance.size(), 37U * 21U);
   EXPECT_EQ(r.surface_pixels, 37U * 21U);
   EXPECT_EQ(r.cut_size.back(), 300);
+}
+
+TEST(Renderer, RendersWantedPixelsIntoAPicture) {
+  const Room room;
+  const SceneView view(room.scene);
+  const Rendering whole = room.rendered({});
+  const auto coarse = [](glm::uvec2 p) { return p.x % 4 == 0 && p.y % 4 == 0; };
+  Rendering picture = blank_rendering(view.size());
+  render_into(picture, view, room.tree, {}, coarse);
+  EXPECT_EQ(picture.surface_pixels, 10U * 6U);
+  for (unsigned y = 0; y < 21; ++y)
+    for (unsigned x = 0; x < 37; ++x) {
+      const std::size_t i = y * 37 + x;
+      EXPECT_EQ(picture.radiance[i], coarse({x, y}) ? whole.radiance[i] : glm::vec3(0));
+    }
+  const double seconds = picture.seconds;
+  render_into(picture, view, room.tree, {}, [&](glm::uvec2 p) { return !coarse(p); });
+  expect_same_but_for_times(picture, whole);
+  EXPECT_GT(picture.seconds, seconds);
+}
+
+TEST(Renderer, TellsOfEachWantedPixelOnce) {
+  const Room room;
+  const SceneView view(room.scene);
+  std::mutex mutex;
+  std::vector<int> told(37 * 21);
+  RenderConfig config;
+  config.done = [&](const PixelRect& rect) {
+    const std::lock_guard lock(mutex);
+    for (unsigned y = rect.lo.y; y < rect.hi.y; ++y)
+      for (unsigned x = rect.lo.x; x < rect.hi.x; ++x) ++told[y * 37 + x];
+  };
+  Rendering picture = blank_rendering(view.size());
+  render_into(picture, view, room.tree, config, [](glm::uvec2 p) { return p.y != 3; });
+  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(told[i], i / 37 == 3 ? 0 : 1) << i;
+}
+
+TEST(Renderer, LeavesPixelsWhenCancelled) {
+  const Room room;
+  std::atomic<int> asked = 0;
+  const Rendering r = room.rendered({.threads = 1, .cancelled = [&] { return ++asked > 40; }});
+  EXPECT_EQ(r.surface_pixels, 40U);
+}
+
+TEST(Renderer, LightsByTheRulesChosen) {
+  const Room room;
+  for (const auto& [method, bound, estimate] :
+       {std::tuple(Method::paper, BoundRule::product, EstimateRule::representative),
+        std::tuple(Method::unscaled, BoundRule::product, EstimateRule::unscaled),
+        std::tuple(Method::no_specular_bound, BoundRule::no_specular, EstimateRule::centroid)}) {
+    RenderConfig by_choice{.cut = {0.02F, 200}, .rules = ChosenRules()};
+    by_choice.rules->bound_rule = bound;
+    by_choice.rules->estimate_rule = estimate;
+    const Rendering expected = room.rendered({.method = method, .cut = {0.02F, 200}});
+    EXPECT_NE(expected.radiance, room.rendered({.cut = {0.02F, 200}}).radiance);
+    expect_same_but_for_times(room.rendered(by_choice), expected);
+  }
 }
 
 TEST(Renderer, ReportsProgressUpToTheEnd) {

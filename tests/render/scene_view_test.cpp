@@ -47,6 +47,29 @@ TEST(SceneView, ShowsTheSurfaceInTheMiddleOfThePicture) {
   EXPECT_GT(p->ray_origin.y, 0);
 }
 
+TEST(SceneView, IsSeenByAnotherCameraAsIfThatWereItsOwn) {
+  const Scene scene = plate_over_floor();
+  Scene moved = scene;
+  moved.camera = {{1, 1.5F, 1}, {0, 0, 0}, {0, 1, 0}, 50};
+  moved.image_size = {20, 30};
+  const SceneView seen = SceneView(scene).seen_by(moved.camera, moved.image_size);
+  const SceneView own(moved);
+  EXPECT_EQ(seen.size(), glm::uvec2(20, 30));
+  EXPECT_EQ(seen.may_occlude(), own.may_occlude());
+  int points = 0;
+  for (unsigned y = 0; y < 30; ++y)
+    for (unsigned x = 0; x < 20; ++x) {
+      const auto a = seen.at({x, y}), b = own.at({x, y});
+      ASSERT_EQ(a.has_value(), b.has_value());
+      if (!a) continue;
+      ++points;
+      EXPECT_EQ(a->point.position(), b->point.position());
+      EXPECT_EQ(a->point.to_viewer(), b->point.to_viewer());
+      EXPECT_EQ(seen.sees(*a, 0), own.sees(*b, 0));
+    }
+  EXPECT_GT(points, 100);
+}
+
 TEST(SceneView, ShowsNothingWhereNothingIs) {
   const Scene scene = plate_over_floor(false);
   EXPECT_FALSE(SceneView(scene).at({0, 0}));

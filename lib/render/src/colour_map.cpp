@@ -28,12 +28,12 @@ std::uint8_t encoded(float linear) {
 
 using Table = std::array<Rgb8, 256>;
 
-Table make_table() {
+Table make_table(ColourMap map) {
   constexpr int size = std::tuple_size_v<Table>;
   std::array<float, size> ramp;
   for (int i = 0; i < size; ++i) ramp[i] = static_cast<float>(i) / (size - 1);
   const OIIO::ImageBuf source(OIIO::ImageSpec(size, 1, 1, OIIO::TypeDesc::FLOAT), ramp.data());
-  const OIIO::ImageBuf colours = OIIO::ImageBufAlgo::color_map(source, 0, "inferno");
+  const OIIO::ImageBuf colours = OIIO::ImageBufAlgo::color_map(source, 0, name_of(map));
   Table table;
   for (int i = 0; i < size; ++i) {
     std::array<float, 3> linear{};
@@ -123,10 +123,21 @@ float value_at(float fraction, const HeatMapScale& scale) {
                                               : lo + fraction * (hi - lo));
 }
 
-Rgb8 heat_colour(float value, const HeatMapScale& scale) {
+const char* name_of(ColourMap map) {
+  constexpr std::array names{"inferno", "viridis", "magma", "plasma", "turbo"};
+  static_assert(names.size() == std::size(all_colour_maps));
+  return names[std::size_t(map)];
+}
+
+Rgb8 heat_colour(float value, const HeatMapScale& scale, ColourMap map) {
   if (std::isnan(value)) return nan_colour;
   if (std::isinf(value)) return value > 0 ? infinity_colour : negative_infinity_colour;
-  static const Table table = make_table();
+  static const auto tables = [] {
+    std::array<Table, std::size(all_colour_maps)> made;
+    for (const ColourMap m : all_colour_maps) made[std::size_t(m)] = make_table(m);
+    return made;
+  }();
+  const Table& table = tables[std::size_t(map)];
   return table[std::lround(fraction_of(value, scale) * (table.size() - 1))];
 }
 
@@ -141,6 +152,11 @@ void write_heat_map(const std::filesystem::path& file, glm::uvec2 size,
   draw_bar(image, width, static_cast<int>(size.y) + margin);
   draw_labels(image, width, height, scale);
   write_rgb8(file, {width, height}, image);
+}
+
+void write_png(const std::filesystem::path& file, glm::uvec2 size, std::span<const Rgb8> pixels) {
+  assert(pixels.size() == std::size_t{size.x} * size.y);
+  write_rgb8(file, size, pixels);
 }
 
 } // namespace lightcuts

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include <lightcuts/oracle/report.h>
@@ -19,6 +20,13 @@ struct MeasureConfig {
   unsigned threads = 0;                 ///< 0: one per core
   int repeats = 3;                      ///< runs of each row, in turn; the median counts
   std::function<void(double)> progress; ///< share done; may be empty
+  std::function<bool()> cancelled;      ///< asked now and then, by any thread; may be empty
+};
+
+/// Thrown by measure() once it is cancelled.
+class MeasureCancelled : public std::runtime_error {
+public:
+  MeasureCancelled() : std::runtime_error("cancelled") {}
 };
 
 /// A report with the pictures that belong to it.
@@ -33,7 +41,7 @@ struct Measurement {
 /// Renders every method at every threshold, several times in turn so that the machine's mood hits
 /// all alike, and compares with the exact picture. Where lightcuts leaves the tree out it does what
 /// the reference does, and has its times and picture. Throws InputError where the scene has no
-/// light or the camera sees nothing.
+/// light or the camera sees nothing, and MeasureCancelled.
 [[nodiscard]] Measurement measure(const SceneView& view, const MeasureConfig& config);
 
 /// What leaving out what the scene does not need saves.

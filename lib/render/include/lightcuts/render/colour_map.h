@@ -20,6 +20,12 @@ inline constexpr Rgb8 negative_infinity_colour{255, 255, 255}; ///< white
 /// The sRGB encoding of a linear colour, clamped to [0, 1]; NaN counts as 0.
 [[nodiscard]] Rgb8 srgb8(const glm::vec3& linear);
 
+/// Perceptually even colour maps, but for turbo, which tells more values apart.
+enum class ColourMap : std::uint8_t { inferno, viridis, magma, plasma, turbo };
+inline constexpr ColourMap all_colour_maps[] = {
+    ColourMap::inferno, ColourMap::viridis, ColourMap::magma, ColourMap::plasma, ColourMap::turbo};
+[[nodiscard]] const char* name_of(ColourMap map);
+
 /// Which value gets which colour.
 struct HeatMapScale {
   float lo = 0;             ///< the darkest colour, for this value and those below
@@ -34,9 +40,10 @@ struct HeatMapScale {
 /// The value at `fraction` in [0, 1] of the scale.
 [[nodiscard]] float value_at(float fraction, const HeatMapScale& scale);
 
-/// The colour of `value`: the perceptually even map "inferno", and the colours above for NaN and
-/// infinities. Safe to call from many threads.
-[[nodiscard]] Rgb8 heat_colour(float value, const HeatMapScale& scale);
+/// The colour of `value` on the map, and the colours above for NaN and infinities. Safe to call
+/// from many threads.
+[[nodiscard]] Rgb8 heat_colour(float value, const HeatMapScale& scale,
+                               ColourMap map = ColourMap::inferno);
 
 /// Writes `values` (size.x * size.y, row by row) as a PNG in heat_colour, with a colour bar and
 /// its smallest, middle and largest value in a strip below. The numbers are left out where the
@@ -44,5 +51,9 @@ struct HeatMapScale {
 /// where it cannot be written or the scale is not finite with lo <= hi (0 < lo if logarithmic).
 void write_heat_map(const std::filesystem::path& file, glm::uvec2 size,
                     std::span<const float> values, const HeatMapScale& scale);
+
+/// Writes size.x * size.y pixels, row by row from the top left, as an 8-bit PNG. Throws InputError,
+/// naming the file, where it cannot be written.
+void write_png(const std::filesystem::path& file, glm::uvec2 size, std::span<const Rgb8> pixels);
 
 } // namespace lightcuts

@@ -9,6 +9,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <lightcuts/chosen_rules.h>
 #include <lightcuts/cut_selector.h>
 #include <lightcuts/light_tree.h>
 #include <lightcuts/render/scene_view.h>
@@ -22,11 +23,13 @@ enum class Method {
   paper,                ///< lightcuts as published, to compare with; see PaperRules
   stochastic_intensity, ///< lights drawn from a cut, see StochasticCutSelector, by intensity
   stochastic,           ///< the same by hierarchical importance: unbiased, with noise
-  lightcuts             ///< a cut of the light tree; see LightcutsRules
+  no_specular_bound, ///< lightcuts with glossy lobes bounded by their peaks, to compare with; see
+                     ///< NoSpecularBoundRules
+  lightcuts          ///< a cut of the light tree; see LightcutsRules
 };
-inline constexpr Method all_methods[] = {Method::reference,  Method::unscaled,
-                                         Method::paper,      Method::stochastic_intensity,
-                                         Method::stochastic, Method::lightcuts};
+inline constexpr Method all_methods[] = {
+    Method::reference,  Method::unscaled,          Method::paper,    Method::stochastic_intensity,
+    Method::stochastic, Method::no_specular_bound, Method::lightcuts};
 
 /// Whether the method draws lights at random: RenderConfig::seed matters.
 [[nodiscard]] constexpr bool is_stochastic(Method method) {
@@ -37,15 +40,27 @@ inline constexpr Method all_methods[] = {Method::reference,  Method::unscaled,
 [[nodiscard]] const char* name_of(Method method);
 [[nodiscard]] std::optional<Method> method_named(std::string_view name);
 
+/// A rectangle of pixels: x in [lo.x, hi.x), y in [lo.y, hi.y).
+struct PixelRect {
+  glm::uvec2 lo{0}, hi{0};
+};
+
 struct RenderConfig {
   Method method = Method::lightcuts;
-  CutConfig cut;                        ///< for all methods but the reference
-  bool use_tree = true;                 ///< false: lightcuts sums all lights, see Needs::tree
-  bool specialise = true;               ///< false: cuts by the kernel for any scene, which casts
-                                        ///< every shadow ray; to compare with
-  unsigned threads = 0;                 ///< 0: one per core; default 0
-  std::uint64_t seed = 1;               ///< of the methods that draw lights; default 1
+  CutConfig cut;          ///< for all methods but the reference
+  bool use_tree = true;   ///< false: lightcuts sums all lights, see Needs::tree
+  bool specialise = true; ///< false: cuts by the kernel for any scene, which casts
+                          ///< every shadow ray; to compare with
+  unsigned threads = 0;   ///< 0: one per core; default 0
+  std::uint64_t seed = 1; ///< of the methods that draw lights; default 1
+  /// In place of those of lightcuts, by the kernel for any scene; default: none
+  std::optional<ChosenRules> rules;
   std::function<void(double)> progress; ///< called with the share done, by any thread; may be empty
+  std::function<bool()> cancelled; ///< asked before each pixel, by any thread, whether to leave the
+                                   ///< others; may be empty
+  /// Called when wanted pixels of a rectangle have been written, by the thread that did; nobody
+  /// writes to them any more. May be empty.
+  std::function<void(const PixelRect&)> done;
 };
 
 /// One picture, row by row from the top left. Where a pixel sees no surface all is 0.
@@ -62,9 +77,18 @@ struct Rendering {
   double seconds = 0;               ///< wall time of the whole, primary rays included
 };
 
+/// A picture of which nothing is rendered yet.
+[[nodiscard]] Rendering blank_rendering(glm::uvec2 size);
+
 /// Renders in tiles over the threads. All but the times are the same bits for any number of
 /// threads.
 [[nodiscard]] Rendering render(const SceneView& view, const LightTree& tree,
                                const RenderConfig& config);
+
+/// The same for those pixels that are wanted, into a picture of the view's size; the others stay as
+/// they are. surface_pixels and seconds are added to what they were. wanted() is asked by any
+/// thread, once per pixel.
+void render_into(Rendering& picture, const SceneView& view, const LightTree& tree,
+                 const RenderConfig& config, const std::function<bool(glm::uvec2)>& wanted);
 
 } // namespace lightcuts

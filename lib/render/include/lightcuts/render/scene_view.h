@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include <glm/vec2.hpp>
@@ -26,10 +27,14 @@ class SceneView {
 public:
   /// The scene must be valid (see validate()) and outlive the view.
   explicit SceneView(const Scene& scene);
+  /// The same scene as another camera sees it, without building what finds triangles again.
+  [[nodiscard]] SceneView seen_by(const Camera& camera, glm::uvec2 size) const {
+    return {*scene_, occluder_, camera, size};
+  }
 
   [[nodiscard]] const Scene& scene() const { return *scene_; }
-  [[nodiscard]] const Occluder& occluder() const { return occluder_; }
-  [[nodiscard]] glm::uvec2 size() const { return scene_->image_size; }
+  [[nodiscard]] const Occluder& occluder() const { return *occluder_; }
+  [[nodiscard]] glm::uvec2 size() const { return size_; }
 
   /// Whether anything can come between a visible surface and a light; without it, nothing is cast.
   [[nodiscard]] bool may_occlude() const { return may_occlude_; }
@@ -43,7 +48,7 @@ public:
   }
   /// The same by a shadow ray, needed or not.
   [[nodiscard]] bool casts_to(const VisiblePoint& from, std::uint32_t light) const {
-    return !occluder_.occluded(ray_to(from, light));
+    return !occluder_->occluded(ray_to(from, light));
   }
 
   /// The shadow ray for that: to a directional light, out of the scene.
@@ -54,8 +59,12 @@ public:
   }
 
 private:
+  SceneView(const Scene& scene, std::shared_ptr<const Occluder> occluder, const Camera& camera,
+            glm::uvec2 size);
+
   const Scene* scene_;
-  Occluder occluder_;
+  std::shared_ptr<const Occluder> occluder_;
+  glm::uvec2 size_;
   PinholeView camera_;
   bool may_occlude_;
   float out_of_scene_; ///< longer than any way between two of its points

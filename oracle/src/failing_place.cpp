@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/oracle/failing_place.h>
+
+#include <vector>
+
+#include "each_view.h"
+
+namespace lightcuts::oracle {
+namespace {
+
+bool a_cut_fails(const Judged& judged, Property property, const Case& on, const PointCase& at) {
+  if (!judged.has(Part::cuts)) return false;
+  const auto visible = [&at](std::uint32_t light) {
+    return light < at.visible.size() && at.visible[light] != 0;
+  };
+  Tally tally;
+  for (const CutConfig& config : cuts_of(on))
+    check_cut(judged, config, judged.tree.select(at.point, config, visible), at, tally);
+  return tally[property].violations > 0;
+}
+
+} // namespace
+
+std::optional<std::uint32_t> failing_cluster(const Judged& judged, Property property,
+                                             const PointCase& at,
+                                             std::span<const glm::vec3> bounds) {
+  for (std::uint32_t node = 0; node < bounds.size(); ++node) {
+    Tally tally;
+    check_cluster(judged, node, at, bounds, tally);
+    if (tally[property].violations > 0) return node;
+  }
+  return std::nullopt;
+}
+
+std::optional<FailingPlace> failing_place(const Subject& subject, const Counterexample& c) {
+  const LightSet lights = c.on.light_set();
+  if (lights.empty()) return std::nullopt;
+  const std::unique_ptr<SubjectTree> tree = subject.build(lights, c.on.seed);
+  const TopologyReading reading = read_topology(tree->claim(), lights.size());
+  if (!reading.topology) return std::nullopt;
+  const Judged judged{*tree, subject.parts()};
+  std::optional<FailingPlace> place;
+  for_each_view(c.on, *reading.topology, lights, 0, [&](std::size_t view, const PointCase& at) {
+    if (judged.has(Part::bounds)) {
+      std::vector<glm::vec3> bounds(at.topology().size());
+      judged.tree.bounds(at.point, bounds);
+      if (const auto node = failing_cluster(judged, c.property, at, bounds)) place = {view, node};
+    }
+    if (!place && a_cut_fails(judged, c.property, c.on, at)) place = {view, std::nullopt};
+    return place.has_value();
+  });
+  return place;
+}
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "frame.h"
+
+#include <utility>
+
+namespace lightcuts::viz {
+
+Frame::Frame(FrameKey key)
+    : Picture(key.scene->scene().image_size), key_(std::move(key)),
+      view_(key_.scene->view().seen_by(key_.camera, size())), rendering_(blank_rendering(size())) {
+  config_.method = key_.method;
+  config_.cut = cut_config(key_.settings, *key_.scene, view_);
+  config_.seed = key_.settings.seed;
+  if (!(key_.settings.rules == ChosenRules())) config_.rules = key_.settings.rules;
+  config_.done = [this](const PixelRect& rect) { done(rect); };
+}
+
+void Frame::look_at_needs() {
+  const bool asked = key_.method == Method::lightcuts && !key_.scene->counterexample() &&
+                     key_.settings.tree_use == TreeUse::automatic && !config_.rules;
+  if (!asked || needs()) return;
+  const Needs found = find_needs(view_, *key_.scene->tree(), config_.cut);
+  config_.use_tree = found.tree;
+  const std::lock_guard lock(needs_mutex_);
+  needs_ = found;
+}
+
+std::optional<Needs> Frame::needs() const {
+  const std::lock_guard lock(needs_mutex_);
+  return needs_;
+}
+
+bool Frame::sums_all_lights() const {
+  const auto found = needs();
+  return key_.method == Method::reference || (found && !found->tree);
+}
+
+void Frame::make(const std::function<bool(glm::uvec2)>& wanted,
+                 const std::function<bool()>& cancelled) {
+  look_at_needs();
+  config_.cancelled = cancelled;
+  render_into(rendering_, view_, *key_.scene->tree(), config_, wanted);
+}
+
+} // namespace lightcuts::viz

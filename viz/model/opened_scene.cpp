@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "opened_scene.h"
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "counterexample_scene.h"
+#include <lightcuts/input_error.h>
+#include <lightcuts/oracle/failing_place.h>
+#include <lightcuts/oracle/library_subject.h>
+#include <lightcuts/oracle/subjects.h>
+#include <lightcuts/render/light_generator.h>
+#include <lightcuts/render/needs.h>
+#include <lightcuts/render/open_scene.h>
+#include <lightcuts/tree_builder.h>
+
+namespace lightcuts::viz {
+namespace {
+
+/// By what it says of itself; what cannot be read is left to whoever reads scenes to complain of.
+bool is_counterexample(const std::filesystem::path& file) {
+  if (file.extension() != ".json") return false;
+  std::ifstream stream(file);
+  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  if (!json.is_object() || !json.contains("schema") || !json["schema"].is_string()) return false;
+  return json["schema"].get<std::string>().starts_with("lightcuts-oracle/counterexample/");
+}
+
+void make_lights(Scene& scene, std::uint32_t count) {
+  const float min_distance = scene.lights.min_distance();
+  scene.lights = LightSet();
+  if (min_distance > 0) scene.lights.set_min_distance(min_distance);
+  generate(default_cloud(scene.mesh, count, 1), scene.lights);
+}
+
+Scene scene_for(const OpenRequest& request) {
+  Scene scene = open_scene(request.spec);
+  if (request.image_size) scene.image_size = *request.image_size;
+  if (request.lights > 0) {
+    make_lights(scene, request.lights);
+  } else if (scene.lights.empty()) {
+    make_lights(scene, lights_for_dark_scenes);
+    scene.notes.push_back(fmt::format("has no lights: lit by {} random ones in its upper half",
+                                      lights_for_dark_scenes));
+  }
+  if (request.min_distance) scene.lights.set_min_distance(*request.min_distance);
+  validate(scene);
+  return scene;
+}
+
+std::vector<std::uint32_t> depths(const oracle::Topology& topology) {
+  std::vector<std::uint32_t> depth(topology.size(), 0);
+  for (const std::uint32_t node : topology.parents_first())
+    for (const std::uint32_t child : topology.children(node)) depth[child] = depth[node] + 1;
+  return depth;
+}
+
+} // namespace
+
+OpenedScene::OpenedScene(OpenRequest request) : request_(std::move(request)) {
+  if (is_counterexample(request_.spec))
+    open_counterexample();
+  else
+    scene_ = scene_for(request_);
+  view_ = std::make_unique<SceneView>(scene_);
+  build_tree();
+  depth_ = depths(topology_);
+  default_threshold_ = counterexample_ ? counterexample_->saved.counterexample.on.cut.threshold
+                                       : lightcuts::default_threshold(*view_);
+  black_level_ =
+      counterexample_
+          ? counterexample_->saved.counterexample.on.cut.black_level
+          : find_needs(*view_, *tree_, {default_threshold_, default_max_cut, 0}).black_level;
+}
+
+void OpenedScene::open_counterexample() {
+  OpenedCounterexample opened{oracle::load_counterexample(request_.spec)};
+  const oracle::Counterexample& c = opened.saved.counterexample;
+  if (c.on.views.empty() || c.on.lights.empty())
+    throw InputError(request_.spec + ": has no shading point or no light to look at; "
+                                     "'lightcuts-oracle replay' shows its arithmetic");
+  subject_ = oracle::subject_named(opened.saved.subject);
+  try {
+    if (const auto failure = oracle::failure_of(*subject_, c.property, c.on)) {
+      opened.still_fails = true;
+      opened.message = *failure;
+    }
+    if (const auto place = oracle::failing_place(*subject_, c)) {
+      opened.view = place->view;
+      opened.node = place->node;
+    }
+  } catch (const oracle::SubjectFailure& failure) {
+    opened.still_fails = true;
+    opened.message = failure.what();
+  }
+  scene_ = scene_of_case(c.on, opened.view);
+  scene_.name = std::filesystem::path(request_.spec).stem().string();
+  counterexample_ = std::move(opened);
+}
+
+void OpenedScene::build_tree() {
+  const auto start = std::chrono::steady_clock::now();
+  const std::uint64_t seed =
+      counterexample_ ? counterexample_->saved.counterexample.on.seed : request_.tree_seed;
+  tree_ = std::make_shared<const LightTree>(build(scene_.lights, {seed}));
+  build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  oracle::TreeClaim claim;
+  if (counterexample_) {
+    subject_tree_ = subject_->build(scene_.lights, seed);
+    claim = subject_tree_->claim();
+  } else {
+    claim = oracle::claim_of(*tree_);
+  }
+  oracle::TopologyReading reading = oracle::read_topology(std::move(claim), scene_.lights.size());
+  if (!reading.topology)
+    throw InputError(
+        fmt::format("{}: the subject's tree is none: {}", request_.spec, reading.defect));
+  topology_ = std::move(*reading.topology);
+}
+
+} // namespace lightcuts::viz

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "picture.h"
+
+#include <chrono>
+#include <exception>
+
+namespace lightcuts::viz {
+
+Picture::Picture(glm::uvec2 size) : size_(size), known_(pixel_count(), 0) {}
+
+void Picture::advance(const std::function<bool()>& cancelled) {
+  using Clock = std::chrono::steady_clock;
+  const double before = seconds();
+  const auto start = Clock::now();
+  const auto keep_time = [&] {
+    const std::lock_guard lock(mutex_);
+    seconds_ = before + std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  try {
+    for (const unsigned step : steps) {
+      if (cancelled()) break;
+      step_ = step;
+      // A pixel becomes known by the thread that asked for it, so what it reads here is settled.
+      make(
+          [this](glm::uvec2 p) {
+            return on_grid(p) && known_[std::size_t(p.y) * size_.x + p.x] == 0;
+          },
+          [&] { return cancelled(); });
+      keep_time();
+    }
+  } catch (const std::exception& error) {
+    const std::lock_guard lock(mutex_);
+    failure_ = error.what();
+    ++version_;
+  }
+  keep_time();
+}
+
+void Picture::done(const PixelRect& rect) {
+  const std::lock_guard lock(mutex_);
+  for (unsigned y = rect.lo.y; y < rect.hi.y; ++y)
+    for (unsigned x = rect.lo.x; x < rect.hi.x; ++x) {
+      if (!on_grid({x, y})) continue;
+      char& known = known_[std::size_t(y) * size_.x + x];
+      known_count_ += known == 0 ? 1 : 0;
+      known = 1;
+    }
+  ++version_;
+}
+
+double Picture::share() const {
+  const std::lock_guard lock(mutex_);
+  return pixel_count() == 0 ? 1 : double(known_count_) / double(pixel_count());
+}
+
+bool Picture::complete() const {
+  const std::lock_guard lock(mutex_);
+  return known_count_ == pixel_count() || !failure_.empty();
+}
+
+double Picture::seconds() const {
+  const std::lock_guard lock(mutex_);
+  return seconds_;
+}
+
+std::optional<double> Picture::seconds_left() const {
+  const double done = share(), spent = seconds();
+  if (done <= 0 || spent <= 0) return std::nullopt;
+  return spent * (1 - done) / done;
+}
+
+std::string Picture::failure() const {
+  const std::lock_guard lock(mutex_);
+  return failure_;
+}
+
+std::uint32_t Picture::nearest_known(glm::uvec2 pixel) const {
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    const glm::uvec2 from = pixel - pixel % *step;
+    const std::uint32_t i = from.y * size_.x + from.x;
+    if (known_[i] != 0) return i;
+  }
+  return unknown;
+}
+
+std::uint32_t Picture::source_of(glm::uvec2 pixel) const {
+  const std::lock_guard lock(mutex_);
+  return nearest_known(pixel);
+}
+
+std::vector<std::uint32_t> Picture::sources() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::uint32_t> sources(pixel_count());
+  for (unsigned y = 0; y < size_.y; ++y)
+    for (unsigned x = 0; x < size_.x; ++x)
+      sources[std::size_t(y) * size_.x + x] = nearest_known({x, y});
+  return sources;
+}
+
+} // namespace lightcuts::viz

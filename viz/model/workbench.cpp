@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "workbench.h"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace lightcuts::viz {
+namespace {
+
+/// Points on the curve of a refinement: one per millisecond or so.
+constexpr std::size_t curve_points = 64;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
+Workbench::Workbench() = default;
+Workbench::~Workbench() = default;
+
+void Workbench::open(const std::string& spec) {
+  state.open = {.spec = spec};
+  state.camera.reset();
+  state.pixel.reset();
+  state.node.reset();
+  state.step.reset();
+  state.image.fits = true;
+}
+
+void Workbench::update() {
+  take_opened();
+  take_inspection();
+  take_report();
+  ask_to_open();
+  if (!scene_) return;
+  keep_selection_valid();
+  ask_for_pictures();
+  ask_for_inspection();
+}
+
+bool Workbench::busy() const {
+  const bool inspecting =
+      asked_inspection_ &&
+      (!inspection_ || !(inspection_->key == *asked_inspection_) || !inspection_->complete);
+  return opener_.busy() || queue_.busy() || inspector_.busy() || inspecting || reporter_.busy();
+}
+
+// ---- opening
+
+void Workbench::ask_to_open() {
+  if (state.open.spec.empty() || asked_to_open_ == state.open) return;
+  if (scene_ && scene_->request() == state.open) {
+    asked_to_open_ = state.open;
+    opener_.cancel();
+    return;
+  }
+  asked_to_open_ = state.open;
+  opener_.start([request = state.open, handover = handover_](const std::stop_token& stop) {
+    std::shared_ptr<const OpenedScene> opened;
+    std::string failure;
+    try {
+      opened = std::make_shared<const OpenedScene>(request);
+    } catch (const std::exception& error) {
+      failure = error.what();
+    }
+    const std::lock_guard lock(handover->mutex);
+    if (stop.stop_requested()) return;
+    handover->scene = std::move(opened);
+    handover->open_failure = std::move(failure);
+  });
+}
+
+void Workbench::take_opened() {
+  std::shared_ptr<const OpenedScene> opened;
+  std::string failure;
+  {
+    const std::lock_guard lock(handover_->mutex);
+    opened = std::exchange(handover_->scene, nullptr);
+    failure = std::exchange(handover_->open_failure, {});
+  }
+  if (!failure.empty()) {
+    say(failure, true);
+    if (scene_) asked_to_open_ = state.open = scene_->request();
+  }
+  if (opened) adopt(opened);
+}
+
+void Workbench::adopt(const std::shared_ptr<const OpenedScene>& scene) {
+  const bool another = !scene_ || scene_->request().spec != scene->request().spec;
+  queue_.clear();
+  scene_ = scene;
+  if (!another) return;
+  for (const std::string& note : scene->scene().notes) say(scene->scene().name + ": " + note);
+  if (const auto& c = scene->counterexample()) {
+    const auto& counterexample = c->saved.counterexample;
+    state.shading.threshold = counterexample.on.cut.threshold;
+    state.shading.max_cut = counterexample.on.cut.max_size;
+    state.pixel = scene->scene().image_size / 2U;
+    state.node = c->node;
+  }
+}
+
+void Workbench::keep_selection_valid() {
+  const glm::uvec2 size = scene_->scene().image_size;
+  if (state.pixel && (state.pixel->x >= size.x || state.pixel->y >= size.y)) state.pixel.reset();
+  if (state.node && *state.node >= scene_->topology().size()) state.node.reset();
+}
+
+// ---- pictures
+
+const Camera& Workbench::camera() const {
+  return state.camera ? *state.camera : scene_->scene().camera;
+}
+
+FrameKey Workbench::key_of(Method method) const {
+  FrameKey key{scene_, method, state.shading, camera()};
+  // What does not matter to a method does not make another picture of it.
+  if (method != Method::lightcuts) {
+    key.settings.rules = {};
+    key.settings.tree_use = TreeUse::automatic;
+  }
+  if (!is_stochastic(method)) key.settings.seed = 1;
+  if (method == Method::reference) key.settings = {};
+  return key;
+}
+
+LayerSources Workbench::sources(const DisplayMethod& display, Layer layer) {
+  LayerSources sources;
+  sources.frame = queue_.frame(key_of(display.method()));
+  if (needs_reference(layer)) sources.reference = queue_.frame(key_of(Method::reference));
+  if (needs_truth(layer)) sources.truth = queue_.truth(key_of(display.method()));
+  return sources;
+}
+
+std::vector<std::shared_ptr<Picture>> Workbench::wanted_pictures() {
+  std::vector<std::shared_ptr<Picture>> wanted;
+  const auto want = [&](const DisplayMethod& display) {
+    if (display.is_raster() && state.layer == Layer::image) return;
+    if (!needs_truth(state.layer)) wanted.push_back(queue_.frame(key_of(display.method())));
+    if (needs_reference(state.layer)) wanted.push_back(queue_.frame(key_of(Method::reference)));
+    if (needs_truth(state.layer)) wanted.push_back(queue_.truth(key_of(display.method())));
+  };
+  if (wants_reference) want(Method::reference);
+  want(state.display);
+  if (state.split) want(state.compared);
+  return wanted;
+}
+
+void Workbench::ask_for_pictures() {
+  queue_.want(holds_pictures ? std::vector<std::shared_ptr<Picture>>{} : wanted_pictures());
+}
+
+// ---- the selected pixel
+
+void Workbench::ask_for_inspection() {
+  std::optional<InspectionKey> key;
+  if (state.pixel && !holds_pictures)
+    key = InspectionKey{key_of(state.display.method()), *state.pixel, state.step};
+  if (key == asked_inspection_) return;
+  asked_inspection_ = key;
+  if (!key) {
+    inspector_.cancel();
+    if (!state.pixel) inspection_.reset();
+    return;
+  }
+  const auto asked = std::chrono::steady_clock::now();
+  inspector_.start([key = *key, asked, handover = handover_](const std::stop_token& stop) {
+    const auto cancelled = [&stop] { return stop.stop_requested(); };
+    InspectionResult result{key, {}};
+    const auto hand_over = [&] {
+      const std::lock_guard lock(handover->mutex);
+      if (!cancelled()) handover->inspection = std::make_shared<const InspectionResult>(result);
+    };
+    try {
+      result.inspection = inspect(key);
+      result.seconds = seconds_since(asked);
+      hand_over();
+      result.curve = refinement_curve(key, curve_points, cancelled);
+      hand_over();
+      if (!add_truth(key, result.inspection, cancelled)) return;
+    } catch (const std::exception& error) {
+      result.failure = error.what();
+    }
+    result.complete = true;
+    hand_over();
+  });
+}
+
+void Workbench::take_inspection() {
+  const std::lock_guard lock(handover_->mutex);
+  auto taken = std::exchange(handover_->inspection, nullptr);
+  if (!taken || !asked_inspection_ || !(taken->key == *asked_inspection_)) return;
+  if (!taken->failure.empty()) say(taken->failure, true);
+  inspection_ = taken;
+}
+
+std::optional<ClusterRow> Workbench::selected_row() const {
+  if (!state.node || !inspection_) return std::nullopt;
+  for (const ClusterRow& row : inspection_->inspection.clusters)
+    if (row.node == *state.node) return row;
+  if (!selected_row_ || !(selected_row_->first == inspection_->key) ||
+      selected_row_->second.node != *state.node) {
+    const auto row = row_of(inspection_->key, *state.node);
+    if (!row) return std::nullopt;
+    selected_row_.emplace(inspection_->key, *row);
+  }
+  return selected_row_->second;
+}
+
+// ---- the report
+
+void Workbench::start_report(const oracle::MeasureConfig& config) {
+  if (!scene_ || reporter_.busy()) return;
+  report_share_ = 0;
+  reporter_.start([this, config = oracle::MeasureConfig(config), scene = scene_,
+                   handover = handover_](const std::stop_token& stop) mutable {
+    config.progress = [this](double share) { report_share_ = share; };
+    config.cancelled = [&stop] { return stop.stop_requested(); };
+    std::optional<ReportResult> result;
+    std::string failure;
+    try {
+      result = ReportResult{scene, oracle::measure(scene->view(), config).report};
+    } catch (const oracle::MeasureCancelled&) {
+      return;
+    } catch (const std::exception& error) {
+      failure = error.what();
+    }
+    const std::lock_guard lock(handover->mutex);
+    handover->report = std::move(result);
+    handover->report_failure = std::move(failure);
+  });
+}
+
+void Workbench::cancel_report() { reporter_.cancel(); }
+
+void Workbench::take_report() {
+  const std::lock_guard lock(handover_->mutex);
+  if (handover_->report) report_ = std::exchange(handover_->report, std::nullopt);
+  if (!handover_->report_failure.empty())
+    say("report: " + std::exchange(handover_->report_failure, {}), true);
+}
+
+} // namespace lightcuts::viz

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+
+namespace lightcuts::viz {
+
+/// How much a worker's thread, and what it starts, gives way to the window.
+enum class Niceness { prompt, background };
+
+/// One thread that does one job at a time, of which only the latest matters: a new one cancels the
+/// one before, and takes the place of one that waits.
+class Worker {
+public:
+  /// A job looks at its token now and then, and returns soon after that says stop.
+  using Job = std::function<void(std::stop_token)>;
+
+  explicit Worker(Niceness niceness);
+  /// Cancels, and waits for the job to return.
+  ~Worker();
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  /// Does not wait.
+  void start(Job job);
+  void cancel();
+  /// Whether a job runs or waits.
+  [[nodiscard]] bool busy() const;
+
+private:
+  void run(const std::stop_token& end);
+
+  Niceness niceness_;
+  mutable std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::optional<Job> next_;
+  std::stop_source current_;
+  bool running_ = false;
+  std::jthread thread_; ///< last: starts when the rest is there
+};
+
+} // namespace lightcuts::viz
