@@ -118,6 +118,17 @@ LayerValues layer_values(Layer layer, const LayerSources& sources) {
   return result;
 }
 
+std::optional<float> layer_value(Layer layer, const LayerSources& sources, glm::uvec2 pixel) {
+  const std::uint32_t own = pixel.y * sources.frame->size().x + pixel.x;
+  const auto knows = [&](const Picture* picture) { return picture->source_of(pixel) == own; };
+  if (needs_truth(layer) && !knows(sources.truth.get())) return std::nullopt;
+  if (needs_reference(layer) && !knows(sources.reference.get())) return std::nullopt;
+  if (!needs_truth(layer) && !knows(sources.frame.get())) return std::nullopt;
+  const bool surface = needs_truth(layer) ? sources.truth->clairvoyant()[own] > 0
+                                          : sources.frame->rendering().cut_size[own] > 0;
+  return surface ? std::optional(PixelOf(sources).value(layer, own)) : std::nullopt;
+}
+
 LayerStatistics statistics_of(const LayerValues& layer) {
   LayerStatistics s;
   float least = std::numeric_limits<float>::infinity(), largest = -least, positive = least;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -36,6 +37,10 @@ struct LayerValues {
 [[nodiscard]] std::uint64_t version_of(Layer layer, const LayerSources& sources);
 
 [[nodiscard]] LayerValues layer_values(Layer layer, const LayerSources& sources);
+
+/// Of one pixel, any layer but the image: its value, if it is known itself and sees a surface.
+[[nodiscard]] std::optional<float> layer_value(Layer layer, const LayerSources& sources,
+                                               glm::uvec2 pixel);
 
 /// Numbers of what is known of a layer at pixels that see a surface.
 struct LayerStatistics {

@@ -11,6 +11,7 @@
 
 #include "counterexample_scene.h"
 #include <lightcuts/input_error.h>
+#include <lightcuts/oracle/explain.h>
 #include <lightcuts/oracle/failing_place.h>
 #include <lightcuts/oracle/library_subject.h>
 #include <lightcuts/oracle/subjects.h>
@@ -69,6 +70,7 @@ OpenedScene::OpenedScene(OpenRequest request) : request_(std::move(request)) {
     scene_ = scene_for(request_);
   view_ = std::make_unique<SceneView>(scene_);
   build_tree();
+  if (counterexample_ && counterexample_->node) judge_counterexample();
   depth_ = depths(topology_);
   default_threshold_ = counterexample_ ? counterexample_->saved.counterexample.on.cut.threshold
                                        : lightcuts::default_threshold(*view_);
@@ -90,6 +92,7 @@ void OpenedScene::open_counterexample() {
       opened.still_fails = true;
       opened.message = *failure;
     }
+    opened.explanation = oracle::explain(*subject_, c);
     if (const auto place = oracle::failing_place(*subject_, c)) {
       opened.view = place->view;
       opened.node = place->node;
@@ -101,6 +104,24 @@ void OpenedScene::open_counterexample() {
   scene_ = scene_of_case(c.on, opened.view);
   scene_.name = std::filesystem::path(request_.spec).stem().string();
   counterexample_ = std::move(opened);
+}
+
+void OpenedScene::judge_counterexample() {
+  OpenedCounterexample& c = *counterexample_;
+  const oracle::CaseView& view = c.saved.counterexample.on.views[c.view];
+  const ShadingPoint point = view.view.point();
+  std::vector<char> visible(scene_.lights.size(), 1);
+  for (const std::uint32_t light : view.hidden) visible[light] = 0;
+  oracle::Truth truth;
+  truth.evaluate(topology_, scene_.lights, point, visible);
+  const oracle::Judged judged{*subject_tree_, subject_->parts()};
+  c.bound = subject_tree_->bound(*c.node, point);
+  if (judged.has(oracle::Part::estimates))
+    c.estimate = seen_estimate(judged, *c.node, {0, point, visible, truth}, c.bound);
+  for (int i = 0; i < 3; ++i) {
+    c.open_truth[i] = double(truth.open(*c.node)[std::size_t(i)]);
+    c.seen_truth[i] = double(truth.seen(*c.node)[std::size_t(i)]);
+  }
 }
 
 void OpenedScene::build_tree() {

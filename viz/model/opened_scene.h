@@ -73,6 +73,7 @@ public:
 
 private:
   void open_counterexample();
+  void judge_counterexample();
   void build_tree();
 
   OpenRequest request_;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "gl/gl_error.h"
+#include "options.h"
+#include "panels/offscreen.h"
+#include "panels/window.h"
+#include <lightcuts/input_error.h>
+
+namespace lightcuts::viz {
+namespace {
+
+/// Exit codes; those of lightcuts-oracle.
+enum Exit { done = 0, usage = 2, bad_input = 3, internal_error = 4 };
+
+void begin(App& app, const Options& options) {
+  app.workbench().state = state_for(options, app.settings());
+  if (const auto tab = options.chosen_tab()) app.show(*tab);
+}
+
+/// Complains of what the window would have shown as a message.
+void require_scene(Workbench& workbench) {
+  for (const Message& message : workbench.messages())
+    fmt::print(stderr, "{}\n", message.text);
+  if (!workbench.scene()) throw InputError("nothing to show");
+}
+
+int take_screenshot(const Options& options) {
+  const std::filesystem::path file = options.screenshot;
+  Offscreen offscreen(options.window_size(), options.scale.value_or(1), {}, options.out);
+  begin(offscreen.app(), options);
+  const bool complete = offscreen.settle(options.wait);
+  Workbench& workbench = offscreen.app().workbench();
+  require_scene(workbench);
+  workbench.clear_messages();
+  if (const auto tab = options.chosen_tab()) offscreen.app().show(*tab);
+  for (int i = 0; i < 3; ++i) offscreen.frame();
+  write_png(file, offscreen.size(), offscreen.screenshot());
+  if (!complete) fmt::print(stderr, "{}: not all was there after {:g} s\n", file.string(), options.wait);
+  return done;
+}
+
+int show_window(const Options& options) {
+  const std::filesystem::path folder = config_folder();
+  std::string problem;
+  const AppSettings settings = load_settings(folder, problem);
+  AppSettings left = run_window(options.sized(settings), options.scale, options.out, [&](App& app) {
+    if (!problem.empty()) app.workbench().say(problem, true);
+    begin(app, options);
+  });
+  save_settings(left, folder);
+  return done;
+}
+
+int run(int argc, char** argv) {
+  CLI::App command("A window that shows what lightcuts does at a pixel, and why.",
+                   "lightcuts-viz");
+  Options options;
+  add_options(command, options);
+  try {
+    command.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return command.exit(error) == 0 ? done : usage;
+  }
+  return options.screenshot.empty() ? show_window(options) : take_screenshot(options);
+}
+
+} // namespace
+} // namespace lightcuts::viz
+
+int main(int argc, char** argv) {
+  using namespace lightcuts;
+  try {
+    return viz::run(argc, argv);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "lightcuts-viz: {}\n", error.what());
+    return viz::bad_input;
+  } catch (const viz::GlError& error) {
+    fmt::print(stderr, "lightcuts-viz: {}\n", error.what());
+    return viz::bad_input;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "lightcuts-viz: internal error: {}\n", error.what());
+    return viz::internal_error;
+  }
+}

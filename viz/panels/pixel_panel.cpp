@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "pixel_panel.h"
+
+#include <cmath>
+#include <variant>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "model/value_text.h"
+#include "panels/drawing.h"
+
+namespace lightcuts::viz {
+namespace {
+
+void text(const std::string& line) { ImGui::TextUnformatted(line.c_str()); }
+void quiet(const std::string& line) { ImGui::TextColored(quiet_text, "%s", line.c_str()); }
+
+struct LobeName {
+  std::string operator()(const NoLobe& /*none*/) const { return "diffuse"; }
+  std::string operator()(const Phong& lobe) const {
+    return fmt::format("Phong, exponent {:g}", lobe.exponent);
+  }
+  std::string operator()(const Ward& lobe) const {
+    return fmt::format("Ward, alpha {:g}", lobe.alpha);
+  }
+  std::string operator()(const CookTorrance& lobe) const {
+    return fmt::format("Cook-Torrance, alpha {:g}", lobe.alpha);
+  }
+};
+
+double sum(const glm::dvec3& v) { return v.x + v.y + v.z; }
+
+const char* ending(CutEnd end) {
+  switch (end) {
+  case CutEnd::converged:
+    return "all bounds obey the threshold";
+  case CutEnd::black_level:
+    return "ended by the black level";
+  case CutEnd::max_size:
+    return "ended by the maximum size";
+  }
+  return "";
+}
+
+void radiance(const Inspection& i) {
+  text(fmt::format("radiance {}  certified error {}", rgb_text(glm::dvec3(i.radiance)),
+                   short_text(sum(glm::dvec3(i.certified_error)))));
+  if (!i.truth) {
+    quiet("truth ... (every light is being looked at)");
+    return;
+  }
+  const double error = sum(glm::abs(glm::dvec3(i.radiance) - *i.truth));
+  const double relative = sum(*i.truth) > 0 ? error / sum(*i.truth) : 0;
+  text(fmt::format("truth {}  true error {} ({:.3g} %)", rgb_text(*i.truth), short_text(error),
+                   100 * relative));
+}
+
+void cut(const Workbench& workbench, const Inspection& i) {
+  std::string line = fmt::format("cut {} of {} lights, {} shadow rays", i.clusters.size(),
+                                 workbench.scene()->scene().lights.size(), i.shadow_rays);
+  if (i.clairvoyant) line += fmt::format(", clairvoyant {}", *i.clairvoyant);
+  text(line);
+  tooltip("The clairvoyant cut is the smallest whose true errors are all within the threshold.");
+  quiet(fmt::format("{}; threshold {:g} %", i.clusters.size() < i.final_size
+                                                ? fmt::format("step {} of {}", i.clusters.size(),
+                                                              i.final_size)
+                                                : std::string(ending(i.end)),
+                    100 * double(i.config.threshold)));
+}
+
+void cluster(const Workbench& workbench) {
+  const auto row = workbench.selected_row();
+  if (!row) {
+    quiet("no cluster selected: click one in the tree, the table or the scene");
+    return;
+  }
+  ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(selection_colour), "%s",
+                     fmt::format("node {}: {} light{}, depth {}", row->node, row->lights,
+                                 row->lights == 1 ? "" : "s", row->depth)
+                         .c_str());
+  ImGui::SameLine();
+  quiet(row->visible ? "its representative is seen" : "its representative is hidden");
+  text(fmt::format("bound {}  estimate {}{}", rgb_text(glm::dvec3(row->bound)),
+                   rgb_text(row->estimate),
+                   row->truth ? "  truth " + rgb_text(*row->truth) : std::string()));
+}
+
+} // namespace
+
+void draw_pixel_panel(Workbench& workbench) {
+  const ViewState& s = workbench.state;
+  if (!s.pixel) {
+    quiet("Click a pixel: its cut is shown here.");
+    return;
+  }
+  const auto& result = workbench.inspection();
+  if (!result) {
+    quiet("...");
+    return;
+  }
+  const Inspection& i = result->inspection;
+  if (workbench.scene()->counterexample())
+    text("the counterexample's shading point");
+  else
+    text(fmt::format("pixel {}, {}", s.pixel->x, s.pixel->y));
+  ImGui::SameLine();
+  if (!i.sees_surface) {
+    quiet("sees no surface");
+    return;
+  }
+  quiet(fmt::format("at {:.4g} {:.4g} {:.4g}, {}", i.position.x, i.position.y, i.position.z,
+                    std::visit(LobeName(), i.material.lobe)));
+  radiance(i);
+  cut(workbench, i);
+  cluster(workbench);
+}
+
+} // namespace lightcuts::viz

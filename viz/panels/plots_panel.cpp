@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "plots_panel.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "model/histogram.h"
+#include "model/value_text.h"
+#include "panels/drawing.h"
+
+namespace lightcuts::viz {
+namespace {
+
+constexpr float thresholds[] = {0.005F, 0.01F, 0.02F, 0.04F, 0.08F, 0.16F};
+constexpr std::uint32_t bins = 40;
+
+Plot cut_size_plot(const LayerValues& layer) {
+  std::vector<float> values;
+  for (std::size_t i = 0; i < layer.values.size(); ++i)
+    if (layer.known[i] != 0 && layer.surface[i] != 0) values.push_back(layer.values[i]);
+  const Histogram histogram = histogram_of(values, range_of(values, bins, false));
+  Plot plot;
+  plot.x_label = "clusters";
+  plot.y_label = "pixels";
+  PlotSeries bars{"cut size", {}, {}, {}, PlotKind::bars};
+  for (std::uint32_t i = 0; i < histogram.range.bins; ++i) {
+    bars.x.push_back(0.5 * (histogram.range.edge(i) + histogram.range.edge(i + 1)));
+    bars.y.push_back(double(histogram.counts[i]));
+  }
+  double sum = 0;
+  for (const float v : values) sum += v;
+  plot.series.push_back(std::move(bars));
+  if (!values.empty())
+    plot.series.push_back({"mean", {sum / double(values.size())}, {0}, {}, PlotKind::vertical});
+  return plot;
+}
+
+/// A line per method of what x() and y() make of its runs.
+template <class X, class Y>
+std::vector<PlotSeries> lines(const oracle::Report& report, X&& x, Y&& y) {
+  std::vector<PlotSeries> all;
+  for (const oracle::Run& run : report.runs) {
+    if (run.method == name_of(Method::reference)) continue;
+    if (all.empty() || all.back().name != run.method)
+      all.push_back({run.method, {}, {}, {}, PlotKind::line});
+    all.back().x.push_back(x(run));
+    all.back().y.push_back(y(run));
+    all.back().labels.push_back(fmt::format("{:g} %", 100 * run.threshold));
+  }
+  return all;
+}
+
+Plot error_against_time(const oracle::Report& report) {
+  Plot plot;
+  plot.x_label = "seconds";
+  plot.y_label = "mean relative error";
+  plot.x_logarithmic = plot.y_logarithmic = true;
+  plot.series = lines(
+      report, [](const oracle::Run& r) { return r.render_seconds; },
+      [](const oracle::Run& r) { return r.mean_relative_error; });
+  for (const oracle::Run& run : report.runs)
+    if (run.method == name_of(Method::reference))
+      plot.series.push_back({"reference", {run.render_seconds}, {0}, {}, PlotKind::vertical});
+  return plot;
+}
+
+Plot error_against_threshold(const oracle::Report& report) {
+  Plot plot;
+  plot.x_label = "threshold";
+  plot.y_label = "mean relative error";
+  plot.x_logarithmic = plot.y_logarithmic = true;
+  plot.series = lines(
+      report, [](const oracle::Run& r) { return r.threshold; },
+      [](const oracle::Run& r) { return r.mean_relative_error; });
+  return plot;
+}
+
+} // namespace
+
+void PlotsPanel::draw(Workbench& workbench) {
+  const float height = std::max(110.0F, (ImGui::GetContentRegionAvail().y -
+                                         6 * ImGui::GetTextLineHeightWithSpacing()) /
+                                            3);
+  if (!started_) {
+    methods_[std::size_t(Method::reference)] = methods_[std::size_t(Method::lightcuts)] = true;
+    methods_[std::size_t(Method::paper)] = true;
+    started_ = true;
+  }
+  draw_histogram(workbench);
+  draw_plot("histogram", histogram_, {ImGui::GetContentRegionAvail().x, height});
+  draw_controls(workbench);
+  draw_report(workbench);
+}
+
+void PlotsPanel::draw_histogram(Workbench& workbench) {
+  const LayerSources sources = workbench.sources(workbench.state.display, Layer::cut_size);
+  ImGui::TextUnformatted(
+      fmt::format("Lights evaluated, {}", name_of(workbench.state.display)).c_str());
+  const bool complete = sources.frame->complete();
+  // While the picture grows, every now and then.
+  const std::uint64_t version = complete ? sources.frame->version() : sources.frame->version() / 64;
+  if (histogram_of_ == sources.frame.get() && histogram_version_ == version) return;
+  histogram_of_ = sources.frame.get();
+  histogram_version_ = version;
+  histogram_ = cut_size_plot(layer_values(Layer::cut_size, sources));
+}
+
+void PlotsPanel::draw_controls(Workbench& workbench) {
+  ImGui::Separator();
+  ImGui::TextUnformatted("Report of the oracle: error against run time");
+  for (const Method method : all_methods) {
+    if (method == Method::reference) continue;
+    ImGui::Checkbox(name_of(method), &methods_[std::size_t(method)]);
+    tooltip(meaning_of(method));
+    if (method != Method::stochastic_intensity && method != Method::lightcuts) ImGui::SameLine();
+  }
+  if (workbench.reporting()) {
+    ImGui::ProgressBar(float(workbench.report_share()), {-6 * ImGui::GetFontSize(), 0});
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel")) workbench.cancel_report();
+    return;
+  }
+  if (ImGui::Button("Run")) {
+    oracle::MeasureConfig config;
+    config.methods = {Method::reference};
+    for (const Method method : all_methods)
+      if (method != Method::reference && methods_[std::size_t(method)])
+        config.methods.push_back(method);
+    config.thresholds.assign(std::begin(thresholds), std::end(thresholds));
+    config.max_cut = workbench.state.shading.max_cut;
+    config.repeats = 1;
+    workbench.start_report(config);
+  }
+  tooltip("Renders the scene by its own camera with each method at thresholds from 0.5 % to 16 %, "
+          "once, and compares with the reference. 'lightcuts-oracle report' does more.");
+}
+
+void PlotsPanel::draw_report(Workbench& workbench) {
+  const auto& result = workbench.report();
+  if (!result || result->scene != workbench.scene()) return;
+  const ImVec2 left = ImGui::GetContentRegionAvail();
+  const ImVec2 size{left.x, std::max(110.0F, left.y / 2 - 6)};
+  draw_plot("time", error_against_time(result->report), size);
+  draw_plot("threshold", error_against_threshold(result->report), size);
+}
+
+} // namespace lightcuts::viz

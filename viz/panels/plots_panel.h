@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "panels/plot.h"
+#include "panels/shown_picture.h"
+#include "model/workbench.h"
+
+namespace lightcuts::viz {
+
+/// The histogram of cut sizes, and the oracle's report on the scene: error against time and against
+/// threshold.
+class PlotsPanel {
+public:
+  void draw(Workbench& workbench);
+
+private:
+  void draw_histogram(Workbench& workbench);
+  void draw_report(Workbench& workbench);
+  void draw_controls(Workbench& workbench);
+
+  std::array<bool, 7> methods_{}; ///< of all_methods, which the report has
+  bool started_ = false;
+  Plot histogram_;
+  std::uint64_t histogram_version_ = 0;
+  const void* histogram_of_ = nullptr;
+};
+
+} // namespace lightcuts::viz

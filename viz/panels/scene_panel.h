@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gl/orbit_camera.h"
+#include "gl/scene_picture.h"
+#include "model/cut_overlay.h"
+#include "model/workbench.h"
+
+namespace lightcuts::viz {
+
+/// The scene in three dimensions: geometry, lights, the selected shading point, and the clusters of
+/// its cut as boxes.
+class ScenePanel {
+public:
+  /// Fills what is left of the current ImGui window. Needs an open scene.
+  void draw(Workbench& workbench);
+
+private:
+  void draw_options();
+  void adopt(const Workbench& workbench);
+  void render(Workbench& workbench, glm::uvec2 size);
+  void handle_mouse(Workbench& workbench, const ImVec2& origin, const ImVec2& size);
+  void pick(Workbench& workbench, const glm::vec2& at, glm::uvec2 size);
+  [[nodiscard]] Overlay overlay_for(const Workbench& workbench) const;
+
+  std::shared_ptr<const OpenedScene> scene_;
+  std::unique_ptr<ScenePicture> picture_;
+  OrbitCamera camera_;
+  OverlayOptions options_;
+
+  // What the picture was drawn from: it is drawn again only where that differs.
+  struct Drawn {
+    glm::uvec2 size{0};
+    OrbitCamera camera;
+    OverlayOptions options;
+    const InspectionResult* inspection = nullptr;
+    std::optional<std::uint32_t> node;
+    Camera traced;
+    bool operator==(const Drawn&) const = default;
+  };
+  std::optional<Drawn> drawn_;
+};
+
+} // namespace lightcuts::viz
