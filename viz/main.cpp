@@ -24,8 +24,7 @@ void begin(App& app, const Options& options) {
 
 /// Complains of what the window would have shown as a message.
 void require_scene(Workbench& workbench) {
-  for (const Message& message : workbench.messages())
-    fmt::print(stderr, "{}\n", message.text);
+  for (const Message& message : workbench.messages()) fmt::print(stderr, "{}\n", message.text);
   if (!workbench.scene()) throw InputError("nothing to show");
 }
 
@@ -40,7 +39,8 @@ int take_screenshot(const Options& options) {
   if (const auto tab = options.chosen_tab()) offscreen.app().show(*tab);
   for (int i = 0; i < 3; ++i) offscreen.frame();
   write_png(file, offscreen.size(), offscreen.screenshot());
-  if (!complete) fmt::print(stderr, "{}: not all was there after {:g} s\n", file.string(), options.wait);
+  if (!complete)
+    fmt::print(stderr, "{}: not all was there after {:g} s\n", file.string(), options.wait);
   return done;
 }
 
@@ -57,8 +57,7 @@ int show_window(const Options& options) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App command("A window that shows what lightcuts does at a pixel, and why.",
-                   "lightcuts-viz");
+  CLI::App command("A window that shows what lightcuts does at a pixel, and why.", "lightcuts-viz");
   Options options;
   add_options(command, options);
   try {

@@ -13,12 +13,13 @@ namespace {
 
 constexpr const char* default_scene = "bedroom";
 
-constexpr std::array<std::pair<const char*, Tab>, 6> tabs{{{"cut", Tab::cut},
-                                                           {"why", Tab::why},
-                                                           {"scene", Tab::scene},
-                                                           {"plots", Tab::plots},
-                                                           {"live", Tab::live},
-                                                           {"counterexample", Tab::counterexample}}};
+constexpr std::array<std::pair<const char*, Tab>, 6> tabs{
+    {{"cut", Tab::cut},
+     {"why", Tab::why},
+     {"scene", Tab::scene},
+     {"plots", Tab::plots},
+     {"live", Tab::live},
+     {"counterexample", Tab::counterexample}}};
 
 /// "A<separator>B" as two whole numbers of at most five digits.
 std::optional<glm::uvec2> parse_pair(const std::string& text, char separator) {
@@ -122,7 +123,8 @@ void add_view_options(CLI::App& command, Options& options) {
   command.add_option("--pixel", options.pixel, "X,Y of the selected pixel; default: none")
       ->check(check_pixel);
   command.add_option("--node", options.node, "the selected cluster; default: none");
-  command.add_option("--step", options.step, "the cut when it had so many clusters; default: its end")
+  command
+      .add_option("--step", options.step, "the cut when it had so many clusters; default: its end")
       ->check(CLI::PositiveNumber);
   command.add_option("--tab", options.tab, "the panel at the right; default: cut")
       ->check(CLI::IsMember(tab_names()));

@@ -86,7 +86,7 @@ Coloured coloured(Layer layer, const LayerValues& values, const ColourSettings& 
                   std::optional<float> exposure) {
   Coloured result;
   result.size = values.size;
-  result.pixels.assign(values.known.size(), unknown_colour);
+  result.pixels.assign(values.known.size(), pending_colour);
   result.statistics = statistics_of(values);
   if (layer == Layer::image) {
     if (settings.exposure) exposure = settings.exposure;

@@ -12,7 +12,7 @@
 namespace lightcuts::viz {
 
 /// What pixels have that nothing is known of yet, and those that see no surface in a heat map.
-inline constexpr Rgb8 unknown_colour{38, 38, 42}, nothing_colour{58, 58, 66};
+inline constexpr Rgb8 pending_colour{38, 38, 42}, nothing_colour{58, 58, 66};
 
 /// A layer and the numbers that its legend shows.
 struct Coloured {

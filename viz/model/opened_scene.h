@@ -36,7 +36,12 @@ struct OpenedCounterexample {
   std::size_t view = 0;              ///< index of the shading point
   std::optional<std::uint32_t> node; ///< the first cluster that breaks it; of cuts: none
   bool still_fails = false;
-  std::string message; ///< what the oracle says of it now
+  std::string message;     ///< what the oracle says of it now
+  std::string explanation; ///< see explain()
+  // Of that cluster, radiance: what the subject says, and what is true with all lights seen and
+  // with those that are.
+  glm::vec3 bound{0};
+  glm::dvec3 estimate{0}, open_truth{0}, seen_truth{0};
 };
 
 /// A scene and all that is derived from it once. Does not change; may be used by many threads.

@@ -196,17 +196,19 @@ void Workbench::take_inspection() {
   inspection_ = taken;
 }
 
-std::optional<ClusterRow> Workbench::selected_row() const {
-  if (!state.node || !inspection_) return std::nullopt;
+std::optional<ClusterRow> Workbench::row(std::uint32_t node) const {
+  if (!inspection_ || !inspection_->inspection.sees_surface) return std::nullopt;
   for (const ClusterRow& row : inspection_->inspection.clusters)
-    if (row.node == *state.node) return row;
-  if (!selected_row_ || !(selected_row_->first == inspection_->key) ||
-      selected_row_->second.node != *state.node) {
-    const auto row = row_of(inspection_->key, *state.node);
-    if (!row) return std::nullopt;
-    selected_row_.emplace(inspection_->key, *row);
+    if (row.node == node) return row;
+  if (other_rows_of_ != inspection_.get()) {
+    other_rows_.clear();
+    other_rows_of_ = inspection_.get();
   }
-  return selected_row_->second;
+  const auto known = other_rows_.find(node);
+  if (known != other_rows_.end()) return known->second;
+  const auto row = row_of(inspection_->key, node);
+  if (row) other_rows_.emplace(node, *row);
+  return row;
 }
 
 // ---- the report

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <lightcuts/oracle/measure.h>
@@ -85,8 +86,12 @@ public:
   [[nodiscard]] const std::shared_ptr<const InspectionResult>& inspection() const {
     return inspection_;
   }
-  /// The selected cluster in full, in the cut or not.
-  [[nodiscard]] std::optional<ClusterRow> selected_row() const;
+  /// A cluster as seen from the selected pixel, in the cut or not; nothing without a pixel.
+  [[nodiscard]] std::optional<ClusterRow> row(std::uint32_t node) const;
+  /// The selected one.
+  [[nodiscard]] std::optional<ClusterRow> selected_row() const {
+    return state.node ? row(*state.node) : std::nullopt;
+  }
 
   /// Runs the oracle's report on the open scene; at most one at a time.
   void start_report(const oracle::MeasureConfig& config);
@@ -124,7 +129,9 @@ private:
 
   std::shared_ptr<const InspectionResult> inspection_;
   std::optional<InspectionKey> asked_inspection_;
-  mutable std::optional<std::pair<InspectionKey, ClusterRow>> selected_row_;
+  /// Clusters beside the cut that were asked for, of the inspection's key.
+  mutable std::unordered_map<std::uint32_t, ClusterRow> other_rows_;
+  mutable const InspectionResult* other_rows_of_ = nullptr;
   std::optional<ReportResult> report_;
   std::atomic<double> report_share_ = 0;
 

@@ -26,8 +26,7 @@ void draw_splitter(const char* id, bool upright, float length, float& share) {
   const ImVec2 left = ImGui::GetContentRegionAvail();
   ImGui::InvisibleButton(id, upright ? ImVec2(splitter, left.y) : ImVec2(left.x, splitter));
   const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
-  if (hot)
-    ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+  if (hot) ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
   if (ImGui::IsItemActive() && length > 0) {
     const ImVec2 by = ImGui::GetIO().MouseDelta;
     share = std::clamp(share - (upright ? by.x : by.y) / length, 0.1F, 0.8F);
@@ -132,15 +131,19 @@ void App::adopt_scene() {
   scene_ = workbench_.scene();
   icicle_ = std::make_unique<Icicle>(scene_->topology());
   icicle_state_ = {};
+  cluster_state_ = {};
+  cut_ = {};
+  cut_of_.reset();
+  cut_size_ = 0;
   settings_.remember(scene_->request().spec);
   if (scene_->counterexample()) wanted_tab_ = Tab::counterexample;
 }
 
 void App::save() {
   if (!scene_) return;
-  const std::string name = fmt::format("{}-{}-{}", scene_->scene().name,
-                                       name_of(workbench_.state.display),
-                                       info(workbench_.state.layer).name);
+  const std::string name =
+      fmt::format("{}-{}-{}", scene_->scene().name, name_of(workbench_.state.display),
+                  info(workbench_.state.layer).name);
   std::string file;
   for (const char c : name)
     file += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '-';
@@ -276,9 +279,8 @@ void App::draw_status() {
     }
   }
   if (workbench_.state.layer != Layer::image)
-    ImGui::TextUnformatted(fmt::format("mean {}  largest {}", short_text(n.mean),
-                                       short_text(n.largest))
-                               .c_str());
+    ImGui::TextUnformatted(
+        fmt::format("mean {}  largest {}", short_text(n.mean), short_text(n.largest)).c_str());
   else
     ImGui::TextUnformatted("");
   const std::string odd = counted(n.nan, "NaN (magenta)") + counted(n.infinite, "infinite (cyan)");
@@ -291,12 +293,26 @@ void App::draw_status() {
 void App::draw_tree(float height) {
   ImGui::BeginChild("tree", {0, height}, false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  const auto& result = workbench_.inspection();
-  const std::vector<ClusterRow> none;
-  const std::vector<ClusterRow>& rows = result ? result->inspection.clusters : none;
-  const IciclePanelEvents events =
-      draw_icicle_panel("icicle", *icicle_, scene_->topology(), rows, workbench_.state.node,
-                        icicle_state_, ImGui::GetContentRegionAvail());
+  if (cut_of_ != workbench_.inspection()) {
+    cut_of_ = workbench_.inspection();
+    ++revision_;
+    std::vector<std::uint32_t> nodes;
+    if (cut_of_)
+      for (const ClusterRow& row : cut_of_->inspection.clusters) nodes.push_back(row.node);
+    cut_size_ = std::uint32_t(nodes.size());
+    cut_ = icicle_->cut(nodes);
+  }
+  const IcicleEvents events =
+      draw_icicle("icicle",
+                  {*icicle_,
+                   scene_->topology(),
+                   cut_,
+                   cut_size_,
+                   workbench_.state.node,
+                   hovered_node_,
+                   {},
+                   [this](std::uint32_t node) { return workbench_.row(node); }},
+                  icicle_state_, ImGui::GetContentRegionAvail());
   if (events.clicked) workbench_.state.node = events.clicked;
   ImGui::EndChild();
 }
@@ -312,6 +328,7 @@ void App::draw_right() {
 }
 
 void App::draw_tabs() {
+  hovered_node_.reset();
   if (!ImGui::BeginTabBar("tabs")) return;
   const auto tab = [&](Tab which, const char* name, auto&& draw) {
     const auto flags =
@@ -339,10 +356,11 @@ void App::draw_cut_tab() {
     ImGui::TextColored(quiet_text, "The clusters of the selected pixel's cut.");
     return;
   }
-  if (const auto clicked =
-          draw_cluster_panel("clusters", result->inspection.clusters, workbench_.state.node,
-                             cluster_state_))
-    workbench_.state.node = clicked;
+  const ClusterEvents events =
+      draw_clusters("clusters", {result->inspection.clusters, revision_, workbench_.state.node},
+                    cluster_state_, {0, 0});
+  if (events.clicked) workbench_.state.node = events.clicked;
+  hovered_node_ = events.hovered;
 }
 
 // ---- over everything
@@ -350,9 +368,9 @@ void App::draw_cut_tab() {
 void App::draw_messages() {
   if (workbench_.messages().empty()) return;
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-  ImGui::SetNextWindowPos({viewport.WorkPos.x + viewport.WorkSize.x / 2,
-                           viewport.WorkPos.y + viewport.WorkSize.y - 12},
-                          ImGuiCond_Always, {0.5F, 1});
+  ImGui::SetNextWindowPos(
+      {viewport.WorkPos.x + viewport.WorkSize.x / 2, viewport.WorkPos.y + viewport.WorkSize.y - 12},
+      ImGuiCond_Always, {0.5F, 1});
   ImGui::SetNextWindowSize({std::min(viewport.WorkSize.x - 40, ImGui::GetFontSize() * 60), 0});
   ImGui::Begin("messages", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -372,8 +390,7 @@ void App::draw_messages() {
 
 void App::draw_help() {
   if (!shows_help_) return;
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing,
-                          {0.5F, 0.5F});
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
   ImGui::Begin("Shortcuts", &shows_help_,
                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
                    ImGuiWindowFlags_NoSavedSettings);

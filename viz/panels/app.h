@@ -74,6 +74,11 @@ private:
   std::shared_ptr<const OpenedScene> scene_; ///< for which icicle_ was made
   std::unique_ptr<Icicle> icicle_;
   IciclePanelState icicle_state_;
+  std::shared_ptr<const InspectionResult> cut_of_; ///< for which cut_ was made
+  IcicleCut cut_;
+  std::uint32_t cut_size_ = 0;
+  std::uint64_t revision_ = 0;                ///< of the rows
+  std::optional<std::uint32_t> hovered_node_; ///< in the table
   ClusterPanelState cluster_state_;
   std::optional<Tab> wanted_tab_;
   bool shows_help_ = false, quits_ = false;

@@ -11,10 +11,10 @@
 namespace lightcuts::viz {
 
 /// What is selected is drawn in this, wherever it is.
-inline constexpr ImU32 selection_colour = IM_COL32(255, 196, 0, 255);
+inline constexpr ImU32 selection_colour = IM_COL32(60, 255, 90, 255);
 inline constexpr ImU32 violation_colour = IM_COL32(255, 70, 70, 255);
-inline constexpr ImVec4 violation_text{1, 0.4F, 0.4F, 1};
-inline constexpr ImVec4 quiet_text{0.62F, 0.63F, 0.68F, 1};
+inline const ImVec4 violation_text{1, 0.4F, 0.4F, 1};
+inline const ImVec4 quiet_text{0.62F, 0.63F, 0.68F, 1};
 
 [[nodiscard]] inline ImVec2 to_imgui(const glm::dvec2& v) { return {float(v.x), float(v.y)}; }
 [[nodiscard]] inline glm::dvec2 to_dvec(const ImVec2& v) { return {v.x, v.y}; }

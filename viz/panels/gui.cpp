@@ -2,7 +2,9 @@
 #include "gui.h"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_opengl3.h>

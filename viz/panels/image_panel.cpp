@@ -19,6 +19,8 @@ constexpr double zoom_for_values = 44;
 /// Time that a rasterised picture may take of a frame of the window, milliseconds.
 constexpr double raster_budget = 6, raster_budget_moving = 12;
 
+constexpr double radians_per_pixel = 0.006;
+
 bool is_dragged(ImGuiMouseButton button) {
   return ImGui::IsItemActive() && ImGui::IsMouseDragging(button, 3);
 }
@@ -106,8 +108,8 @@ void ImagePanel::remember_exposure(Workbench& workbench) {
 void ImagePanel::handle_mouse(Workbench& workbench) {
   const ImGuiIO& io = ImGui::GetIO();
   const glm::uvec2 size = shown_.coloured().size;
-  hovered_ = ImGui::IsItemHovered() ? pixel_at(view_, area_, to_dvec(io.MousePos), size)
-                                    : std::nullopt;
+  hovered_ =
+      ImGui::IsItemHovered() ? pixel_at(view_, area_, to_dvec(io.MousePos), size) : std::nullopt;
   if (ImGui::IsItemHovered()) handle_zoom(workbench);
   const double split_x = area_.origin.x + workbench.state.split_at * area_.size.x;
   if (workbench.state.split && ImGui::IsItemClicked() && std::abs(io.MousePos.x - split_x) < 6)
@@ -136,8 +138,7 @@ void ImagePanel::click(Workbench& workbench) {
 void ImagePanel::handle_zoom(Workbench& workbench) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.MouseWheel == 0 || io.KeyCtrl) return;
-  workbench.state.image =
-      zoomed(view_, area_, to_dvec(io.MousePos), std::pow(1.2, io.MouseWheel));
+  workbench.state.image = zoomed(view_, area_, to_dvec(io.MousePos), std::pow(1.2, io.MouseWheel));
 }
 
 void ImagePanel::move_camera(Workbench& workbench) {
@@ -154,10 +155,10 @@ void ImagePanel::move_camera(Workbench& workbench) {
     const Camera& camera = workbench.camera();
     moving_ = OrbitCamera::from_camera(camera, camera.target);
   }
-  const glm::vec2 by(io.MouseDelta.x, io.MouseDelta.y);
-  if (orbits) moving_->orbit(by.x, by.y);
-  if (pans) moving_->pan(by.x, by.y, {float(area_.size.x), float(area_.size.y)});
-  if (dollies) moving_->dolly(std::pow(0.9F, io.MouseWheel));
+  if (orbits)
+    moving_->orbit(-radians_per_pixel * io.MouseDelta.x, radians_per_pixel * io.MouseDelta.y);
+  if (pans) moving_->pan(to_dvec(io.MouseDelta), glm::uvec2(area_.size));
+  if (dollies) moving_->dolly(std::pow(0.9, io.MouseWheel));
   workbench.state.camera = moving_->to_camera();
   workbench.state.pixel.reset();
   workbench.holds_pictures = true;

@@ -24,11 +24,9 @@ std::vector<float> bars_of(const LayerValues& layer, const HeatMapScale& scale) 
   std::vector<float> values;
   for (std::size_t i = 0; i < layer.values.size(); ++i)
     if (layer.known[i] != 0 && layer.surface[i] != 0) values.push_back(layer.values[i]);
-  const Histogram histogram =
-      histogram_of(values, {scale.lo, scale.hi, bins, scale.logarithmic});
-  const auto most = double(
-      std::max<std::uint64_t>(1, *std::max_element(histogram.counts.begin(),
-                                                   histogram.counts.end())));
+  const Histogram histogram = histogram_of(values, {scale.lo, scale.hi, bins, scale.logarithmic});
+  const auto most = double(std::max<std::uint64_t>(
+      1, *std::max_element(histogram.counts.begin(), histogram.counts.end())));
   std::vector<float> bars;
   for (const std::uint64_t count : histogram.counts) bars.push_back(float(double(count) / most));
   return bars;

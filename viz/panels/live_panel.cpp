@@ -52,8 +52,7 @@ void choice(const char* label, Enum& value, const char* const (&names)[n],
 
 void rules(Workbench& workbench) {
   ShadingSettings& s = workbench.state.shading;
-  choice("criterion", s.rules.bound_rule,
-         {"joint bound", "no specular bound", "product bound"},
+  choice("criterion", s.rules.bound_rule, {"joint bound", "no specular bound", "product bound"},
          {"The exact maximum of n.l / d^2 over the cluster's box, in one.",
           "The same, with the glossy lobe taken at its peak.",
           "Maxima of n.l and of 1 / d^2 apart, as published: looser."});
@@ -68,9 +67,10 @@ void rules(Workbench& workbench) {
   bool always = s.tree_use == TreeUse::always;
   if (ImGui::Checkbox("use the tree even where it does not pay", &always))
     s.tree_use = always ? TreeUse::always : TreeUse::automatic;
-  tooltip("With few lights, cuts have most of them and a cluster costs more than a light: "
-          "lightcuts sums all lights there. Criteria and estimates other than the first ones always "
-          "use the tree.");
+  tooltip(
+      "With few lights, cuts have most of them and a cluster costs more than a light: "
+      "lightcuts sums all lights there. Criteria and estimates other than the first ones always "
+      "use the tree.");
 }
 
 void whether_tree_is_used(Workbench& workbench) {
@@ -81,8 +81,7 @@ void whether_tree_is_used(Workbench& workbench) {
   ImGui::TextColored(quiet_text, "%s",
                      fmt::format("The tree is left out: cuts would have {:.0f} of {} lights and "
                                  "take {:.1f} times as long as all lights.",
-                                 needs->pilot_cut_size,
-                                 workbench.scene()->scene().lights.size(),
+                                 needs->pilot_cut_size, workbench.scene()->scene().lights.size(),
                                  needs->pilot_cost_of_cuts / needs->pilot_cost_of_sums)
                          .c_str());
   ImGui::PopTextWrapPos();

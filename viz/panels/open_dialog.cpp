@@ -98,8 +98,7 @@ std::optional<std::string> OpenDialog::draw(const AppSettings& settings) {
                      "(a scene or a counterexample), .obj, .gltf, .glb.");
   ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 6);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered =
-      ImGui::InputText("##typed", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputText("##typed", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();
   if ((ImGui::Button("Open") || entered) && !typed_.empty()) chosen = typed_;
   ImGui::Columns(2, nullptr, false);

@@ -62,10 +62,10 @@ void cut(const Workbench& workbench, const Inspection& i) {
   if (i.clairvoyant) line += fmt::format(", clairvoyant {}", *i.clairvoyant);
   text(line);
   tooltip("The clairvoyant cut is the smallest whose true errors are all within the threshold.");
-  quiet(fmt::format("{}; threshold {:g} %", i.clusters.size() < i.final_size
-                                                ? fmt::format("step {} of {}", i.clusters.size(),
-                                                              i.final_size)
-                                                : std::string(ending(i.end)),
+  quiet(fmt::format("{}; threshold {:g} %",
+                    i.clusters.size() < i.final_size
+                        ? fmt::format("step {} of {}", i.clusters.size(), i.final_size)
+                        : std::string(ending(i.end)),
                     100 * double(i.config.threshold)));
 }
 

@@ -81,9 +81,8 @@ Plot error_against_threshold(const oracle::Report& report) {
 } // namespace
 
 void PlotsPanel::draw(Workbench& workbench) {
-  const float height = std::max(110.0F, (ImGui::GetContentRegionAvail().y -
-                                         6 * ImGui::GetTextLineHeightWithSpacing()) /
-                                            3);
+  const float height = std::max(
+      110.0F, (ImGui::GetContentRegionAvail().y - 6 * ImGui::GetTextLineHeightWithSpacing()) / 3);
   if (!started_) {
     methods_[std::size_t(Method::reference)] = methods_[std::size_t(Method::lightcuts)] = true;
     methods_[std::size_t(Method::paper)] = true;

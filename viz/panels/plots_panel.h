@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 
+#include "model/workbench.h"
 #include "panels/plot.h"
 #include "panels/shown_picture.h"
-#include "model/workbench.h"
 
 namespace lightcuts::viz {
 

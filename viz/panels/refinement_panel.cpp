@@ -48,8 +48,7 @@ const char* ending(const Inspection& inspection) {
 double total(const glm::vec3& v) { return double(v.x) + v.y + v.z; }
 
 void state_of_cut(Workbench& workbench, const Inspection& inspection) {
-  ImGui::Text("total %s, certified error %s",
-              short_text(float(total(inspection.radiance))).c_str(),
+  ImGui::Text("total %s, certified error %s", short_text(float(total(inspection.radiance))).c_str(),
               short_text(float(total(inspection.certified_error))).c_str());
   if (inspection.refined_next) {
     ImGui::Text("refined next: node %u", *inspection.refined_next);

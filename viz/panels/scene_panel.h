@@ -19,28 +19,29 @@ public:
   void draw(Workbench& workbench);
 
 private:
+  /// What a picture is drawn from: it is drawn again only where that differs.
+  struct Drawn {
+    glm::uvec2 size{0};
+    Camera camera, traced;
+    std::shared_ptr<const InspectionResult> inspection;
+    std::optional<std::uint32_t> node;
+    int colour_by = 0;
+    bool boxes = true, lines = true;
+    bool operator==(const Drawn&) const = default;
+  };
+
+  void adopt(const Workbench& workbench, glm::uvec2 size);
   void draw_options();
-  void adopt(const Workbench& workbench);
+  void draw_legend(const Workbench& workbench) const;
   void render(Workbench& workbench, glm::uvec2 size);
-  void handle_mouse(Workbench& workbench, const ImVec2& origin, const ImVec2& size);
-  void pick(Workbench& workbench, const glm::vec2& at, glm::uvec2 size);
+  void handle_mouse(Workbench& workbench, const glm::dvec2& origin, glm::uvec2 size);
+  void pick(Workbench& workbench, const glm::dvec2& at, glm::uvec2 size) const;
   [[nodiscard]] Overlay overlay_for(const Workbench& workbench) const;
 
   std::shared_ptr<const OpenedScene> scene_;
   std::unique_ptr<ScenePicture> picture_;
   OrbitCamera camera_;
   OverlayOptions options_;
-
-  // What the picture was drawn from: it is drawn again only where that differs.
-  struct Drawn {
-    glm::uvec2 size{0};
-    OrbitCamera camera;
-    OverlayOptions options;
-    const InspectionResult* inspection = nullptr;
-    std::optional<std::uint32_t> node;
-    Camera traced;
-    bool operator==(const Drawn&) const = default;
-  };
   std::optional<Drawn> drawn_;
 };
 

@@ -13,8 +13,8 @@ bool is_complete(const LayerSources& sources) {
 
 void ShownPicture::refresh(Workbench& workbench, const Wish& wish) {
   const LayerSources sources = workbench.sources(wish.display, wish.layer);
-  const Identity identity{sources.frame.get(),    sources.reference.get(), sources.truth.get(),
-                          wish.layer,             workbench.state.colours, wish.exposure};
+  const Identity identity{sources.frame.get(), sources.reference.get(), sources.truth.get(),
+                          wish.layer,          workbench.state.colours, wish.exposure};
   const std::uint64_t source_version = version_of(wish.layer, sources);
   const bool same = identity == identity_ && version_ > 0;
   if (same && source_version == source_version_) return;
@@ -33,13 +33,12 @@ void ShownPicture::refresh(const std::vector<glm::vec3>& image, glm::uvec2 size,
   if (identity == identity_ && version_ > 0 && version == source_version_) return;
   identity_ = identity;
   source_version_ = version;
-  values_ = {size, image, {}, std::vector<char>(image.size(), 1),
-             std::vector<char>(image.size(), 1)};
+  values_ = {
+      size, image, {}, std::vector<char>(image.size(), 1), std::vector<char>(image.size(), 1)};
   show(Layer::image, colours, exposure);
 }
 
-void ShownPicture::show(Layer layer, const ColourSettings& colours,
-                        std::optional<float> exposure) {
+void ShownPicture::show(Layer layer, const ColourSettings& colours, std::optional<float> exposure) {
   coloured_ = viz::coloured(layer, values_, colours, exposure);
   texture_.upload(coloured_.size, coloured_.pixels);
   made_ = Clock::now();

@@ -44,8 +44,8 @@ WindowHandle make_window(const AppSettings& settings) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  WindowHandle window(glfwCreateWindow(settings.window_size.x, settings.window_size.y,
-                                       "Lightcuts", nullptr, nullptr));
+  WindowHandle window(glfwCreateWindow(settings.window_size.x, settings.window_size.y, "Lightcuts",
+                                       nullptr, nullptr));
   if (!window) throw GlError("no window with OpenGL 3.3: " + Glfw::last_error());
   glfwMakeContextCurrent(window.get());
   glfwSwapInterval(1);

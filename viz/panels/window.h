@@ -15,7 +15,6 @@ class App;
 /// settings are returned as they are then. scale: nothing for the screen's own. Throws GlError
 /// where there is no display or no OpenGL 3.3.
 AppSettings run_window(const AppSettings& settings, std::optional<float> scale,
-                       const std::filesystem::path& output,
-                       const std::function<void(App&)>& start);
+                       const std::filesystem::path& output, const std::function<void(App&)>& start);
 
 } // namespace lightcuts::viz
