@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <numeric>
-
-#include <lightcuts/splitmix.h>
 
 #include "gl/preview_shaders.h"
+#include "gl/random_order.h"
 
 namespace lightcuts::viz {
 namespace {
@@ -17,15 +15,6 @@ using Clock = std::chrono::steady_clock;
 
 double milliseconds_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
-/// Each order of the indices below count is as likely as any other (Fisher & Yates), to 2^-32.
-std::vector<std::uint32_t> random_order(std::size_t count) {
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0U);
-  for (std::size_t i = count; i > 1; --i)
-    std::swap(order[i - 1], order[splitmix64(i * splitmix64_step) % i]);
-  return order;
 }
 
 std::vector<PreviewMaterial> preview_materials(const Scene& scene) {

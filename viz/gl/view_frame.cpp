@@ -29,6 +29,15 @@ glm::mat4 clip_from_offset(const ViewFrame& frame, double near) {
           glm::vec4(x.z, y.z, w.z, w.z), glm::vec4(0, 0, -2 * near, 0)};
 }
 
+std::optional<glm::dvec2> screen_position(const ViewFrame& frame, glm::uvec2 size,
+                                          const glm::dvec3& point) {
+  const glm::dvec3 d = point - frame.origin;
+  const double depth = glm::dot(d, frame.forward);
+  if (!(depth > 0)) return std::nullopt;
+  const glm::dvec2 place(glm::dot(d, frame.right), -glm::dot(d, frame.up));
+  return 0.5 * (1.0 + place / (depth * frame.half)) * glm::dvec2(size);
+}
+
 double reach(const glm::dvec3& from, const Box& box) {
   if (box.lo.x > box.hi.x) return 1;
   const glm::dvec3 far =

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -25,6 +27,12 @@ struct ViewFrame {
 /// What is nearer than `near` metres in depth is cut off. The clip space's w is the depth along
 /// `forward`; its z is good for clipping only: shaders set gl_FragDepth from w.
 [[nodiscard]] glm::mat4 clip_from_offset(const ViewFrame& frame, double near);
+
+/// Where a point (metres) is seen in an image of `size` pixels: pixels from its top left corner, so
+/// that the first pixel's centre is (0.5, 0.5). Nothing for points that are not in front of the
+/// camera; the place may lie outside the image.
+[[nodiscard]] std::optional<glm::dvec2> screen_position(const ViewFrame& frame, glm::uvec2 size,
+                                                        const glm::dvec3& point);
 
 /// An upper bound of the distance from `from` to any point of the box, metres, above 0; 1 where
 /// the box is empty.
