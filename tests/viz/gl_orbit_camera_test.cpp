@@ -54,6 +54,9 @@ TEST(OrbitCamera, SurvivesTheWayToACameraAndBack) {
     EXPECT_NEAR(back.pitch, camera.pitch, 1e-6);
     EXPECT_EQ(back.vertical_fov, camera.vertical_fov);
     EXPECT_EQ(back.up, camera.up);
+    const glm::dvec3 before = camera.eye(), right = camera.frame(image).right;
+    camera.orbit(0.1, 0);
+    EXPECT_GT(glm::dot(camera.eye() - before, right), 0); // more yaw goes to the right
   }
 }
 

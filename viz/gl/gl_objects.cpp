@@ -277,6 +277,12 @@ std::vector<glm::vec4> Framebuffer::read_rgba32f(std::size_t i) const {
   return read<glm::vec4>(i, GL_FLOAT);
 }
 
+void enable_blending() {
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
 DrawScope::DrawScope() {
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_framebuffer_);
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_framebuffer_);

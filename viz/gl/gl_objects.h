@@ -174,6 +174,9 @@ private:
   glm::uvec2 size_{0};
 };
 
+/// What is drawn from here on covers what is there by its alpha; an opaque picture stays opaque.
+void enable_blending();
+
 /// While it lives, draws may go elsewhere; afterwards to where they went before. At both ends
 /// blending, depth and scissor tests and culling are off, depths and colours written, and no
 /// program, vertex array or buffer of the caller is to be relied on.

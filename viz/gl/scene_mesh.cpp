@@ -91,10 +91,4 @@ void SceneMesh::draw(const Range& range) const {
   glDrawArrays(GL_TRIANGLES, range.first, range.count);
 }
 
-void SceneMesh::draw_all() const {
-  if (ranges_.empty()) return;
-  const Range& last = ranges_.back();
-  draw({0, 0, last.first + last.count});
-}
-
 } // namespace lightcuts::viz

@@ -36,7 +36,6 @@ public:
 
   /// Draws with the program in use.
   void draw(const Range& range) const;
-  void draw_all() const;
 
 private:
   Box bounds_;
