@@ -70,7 +70,7 @@ TEST_F(ScenePictureTest, EmptySceneDrawsNothing) {
 
 TEST_F(ScenePictureTest, LineIsWhereItsPointsAreSeen) {
   const glm::vec3 from{-3, -1, 1}, to{2, 1.5F, -4};
-  const auto pixels = drawn({}, {.lines = {{from, to, green, Weight::thick}}});
+  const auto pixels = drawn({}, {.lines = {{from, to, green, 3.5F}}});
   const OrbitCamera camera = front_camera();
   for (const float t : {0.02F, 0.3F, 0.5F, 0.98F}) {
     const glm::vec3 p = glm::mix(from, to, t);
@@ -102,14 +102,14 @@ TEST_F(ScenePictureTest, WidthsAndSizesAreInPixels) {
   const auto line = [&](Weight weight) { // 90 pixels long
     return count(drawn({}, {.lines = {{{-40, 0.1F, 0}, {40, 0.1F, 0}, green, weight}}}));
   };
-  EXPECT_EQ(line(Weight::thin), 90);
-  EXPECT_EQ(line(Weight::normal), 180);
-  EXPECT_GE(line(Weight::thick), 270);
+  EXPECT_EQ(line(1), 90);
+  EXPECT_EQ(line(2), 180);
+  EXPECT_GE(line(3.5F), 270);
   const auto point = [&](Weight weight) {
     return double(count(drawn({}, {.points = {{{0, 0, 0}, green, weight}}})));
   };
-  EXPECT_NEAR(point(Weight::normal), 3.14 * 3 * 3, 6);
-  EXPECT_NEAR(point(Weight::thick), 3.14 * 5 * 5, 9);
+  EXPECT_NEAR(point(2), 3.14 * 3 * 3, 6);
+  EXPECT_NEAR(point(3.5F), 3.14 * 5 * 5, 9);
 }
 
 TEST_F(ScenePictureTest, HiddenPartsAreFaint) {
@@ -203,8 +203,8 @@ TEST_F(ScenePictureTest, IsTheSameFarFromTheOrigin) {
   const auto near_pixels = drawn(scene, overlay);
   for (glm::vec3& p : scene.mesh.positions) p += far;
   Overlay moved = overlay;
-  moved.lines[0].from += far;
-  moved.lines[0].to += far;
+  moved.lines[0].a += far;
+  moved.lines[0].b += far;
   ScenePicture picture(scene);
   OrbitCamera camera = front_camera();
   camera.target = far;

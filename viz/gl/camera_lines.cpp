@@ -17,11 +17,11 @@ std::vector<ColouredLine> camera_lines(const Camera& camera, glm::uvec2 size, do
   const std::array corners{point(-1, -1), point(1, -1), point(1, 1), point(-1, 1)};
   std::vector<ColouredLine> lines;
   for (std::size_t i = 0; i < 4; ++i) {
-    lines.push_back({glm::vec3(frame.origin), corners[i], colour, Weight::normal});
-    lines.push_back({corners[i], corners[(i + 1) % 4], colour, Weight::normal});
+    lines.push_back({glm::vec3(frame.origin), corners[i], colour, 2});
+    lines.push_back({corners[i], corners[(i + 1) % 4], colour, 2});
   }
-  lines.push_back({point(-0.2, 1), point(0, 1.3), colour, Weight::normal});
-  lines.push_back({point(0, 1.3), point(0.2, 1), colour, Weight::normal});
+  lines.push_back({point(-0.2, 1), point(0, 1.3), colour, 2});
+  lines.push_back({point(0, 1.3), point(0.2, 1), colour, 2});
   return lines;
 }
 

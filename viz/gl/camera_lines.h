@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <lightcuts/render/scene.h>
 
-#include "gl/overlay.h"
+#include "model/overlay.h"
 
 namespace lightcuts::viz {
 

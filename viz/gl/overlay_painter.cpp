@@ -11,30 +11,6 @@ namespace {
 
 constexpr float hidden_opacity = 0.2F;
 
-float line_width(Weight weight) {
-  switch (weight) {
-  case Weight::thin:
-    return 1;
-  case Weight::normal:
-    return 2;
-  case Weight::thick:
-    break;
-  }
-  return 3.5F;
-}
-
-float point_size(Weight weight) {
-  switch (weight) {
-  case Weight::thin:
-    return 3;
-  case Weight::normal:
-    return 6;
-  case Weight::thick:
-    break;
-  }
-  return 10;
-}
-
 struct GpuPoint {
   glm::vec3 position;
   float size; // pixels
@@ -90,8 +66,7 @@ PointCloud::PointCloud() {
 void PointCloud::upload(std::span<const ColouredPoint> points, const glm::dvec3& anchor) {
   std::vector<GpuPoint> data;
   data.reserve(points.size());
-  for (const ColouredPoint& p : points)
-    data.push_back({relative(p.position, anchor), point_size(p.weight), p.colour});
+  for (const ColouredPoint& p : points) data.push_back({relative(p.at, anchor), p.size, p.colour});
   buffer_.upload(GL_ARRAY_BUFFER, std::span<const GpuPoint>(data), GL_STREAM_DRAW);
   count_ = GLsizei(data.size());
 }
@@ -117,8 +92,7 @@ void LineSet::upload(std::span<const ColouredLine> lines, const glm::dvec3& anch
   std::vector<GpuLine> data;
   data.reserve(lines.size());
   for (const ColouredLine& l : lines)
-    data.push_back(
-        {relative(l.from, anchor), relative(l.to, anchor), line_width(l.weight), l.colour});
+    data.push_back({relative(l.a, anchor), relative(l.b, anchor), l.width, l.colour});
   buffer_.upload(GL_ARRAY_BUFFER, std::span<const GpuLine>(data), GL_STREAM_DRAW);
   count_ = GLsizei(data.size());
 }

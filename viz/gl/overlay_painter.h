@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "gl/gl_objects.h"
-#include "gl/overlay.h"
+#include "model/overlay.h"
 
 namespace lightcuts::viz {
 

@@ -44,8 +44,7 @@ std::vector<ColouredPoint> light_points(const Scene& scene, const Box& bounds) {
   points.reserve(shown.size());
   for (const std::uint32_t i : shown)
     points.push_back({glm::vec3(shown_position(lights[i], bounds)),
-                      shown_colour(lights[i], many ? 140 : 255),
-                      many ? Weight::thin : Weight::normal});
+                      shown_colour(lights[i], many ? 140 : 255), many ? 3.0F : 6.0F});
   return points;
 }
 

@@ -12,9 +12,9 @@
 
 #include "gl/gl_objects.h"
 #include "gl/orbit_camera.h"
-#include "gl/overlay.h"
 #include "gl/overlay_painter.h"
 #include "gl/scene_mesh.h"
+#include "model/overlay.h"
 
 namespace lightcuts::viz {
 
