@@ -133,7 +133,7 @@ LayerStatistics statistics_of(const LayerValues& layer) {
   LayerStatistics s;
   float least = std::numeric_limits<float>::infinity(), largest = -least, positive = least;
   double total = 0;
-  std::uint64_t finite = 0;
+  std::vector<float> finite;
   const auto count = [&](float v) {
     if (std::isnan(v)) {
       ++s.nan;
@@ -144,7 +144,7 @@ LayerStatistics statistics_of(const LayerValues& layer) {
       largest = std::max(largest, v);
       if (v > 0) positive = std::min(positive, v);
       total += v;
-      ++finite;
+      finite.push_back(v);
     }
   };
   for (std::size_t i = 0; i < layer.known.size(); ++i) {
@@ -155,16 +155,23 @@ LayerStatistics statistics_of(const LayerValues& layer) {
     else
       count(layer.values[i]);
   }
-  if (finite == 0) return s;
+  if (finite.empty()) return s;
+  const auto most = finite.begin() + std::ptrdiff_t(0.995 * double(finite.size() - 1));
+  std::nth_element(finite.begin(), most, finite.end());
+  s.most_below = *most;
   s.least = least;
   s.largest = largest;
   s.least_positive = std::isinf(positive) ? 0 : positive;
-  s.mean = total / double(finite);
+  s.mean = total / double(finite.size());
   return s;
 }
 
 HeatMapScale automatic_scale(const LayerStatistics& statistics, bool logarithmic) {
-  const float hi = std::max(statistics.largest, std::numeric_limits<float>::min());
+  constexpr float far = 1.5F;
+  const bool outliers =
+      statistics.most_below > 0 && statistics.largest > far * statistics.most_below;
+  const float largest = outliers ? statistics.most_below : statistics.largest;
+  const float hi = std::max(largest, std::numeric_limits<float>::min());
   if (!logarithmic) return {0, hi, false};
   const float lo = statistics.least_positive > 0 ? statistics.least_positive : hi;
   // A scale of one value shows nothing; one decade shows where it lies.

@@ -47,11 +47,14 @@ struct LayerStatistics {
   std::uint64_t known = 0, nan = 0, infinite = 0;
   float least = 0, largest = 0; ///< of the finite ones
   float least_positive = 0;     ///< 0: there is none
+  float most_below = 0;         ///< 99.5 % of the finite ones are at most this
   double mean = 0;              ///< of the finite ones
 };
 [[nodiscard]] LayerStatistics statistics_of(const LayerValues& layer);
 
-/// The scale that shows all of it: from 0, or from the least positive value if logarithmic.
+/// The scale that shows it: from 0, or from the least positive value if logarithmic, to the largest
+/// value; where a few are far above the others, to LayerStatistics::most_below, so that these can
+/// be told apart.
 [[nodiscard]] HeatMapScale automatic_scale(const LayerStatistics& statistics, bool logarithmic);
 
 } // namespace lightcuts::viz

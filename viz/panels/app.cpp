@@ -320,7 +320,9 @@ void App::draw_tree(float height) {
 // ---- right: the details
 
 void App::draw_right() {
-  ImGui::BeginChild("right", {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {6, 2});
+  ImGui::BeginChild("right", {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
   draw_pixel_panel(workbench_);
   ImGui::Spacing();
   draw_tabs();

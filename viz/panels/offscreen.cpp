@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "offscreen.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -25,12 +26,15 @@ void Offscreen::frame(float seconds) {
 bool Offscreen::settle(double seconds) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-  // What a frame asks for is seen in the next one; some things of ImGui take two.
+  // What a frame asks for is seen in the next one; some things of ImGui take two. Frames by software
+  // take the processor from what they wait for: a few are enough.
   int quiet = 0;
+  std::chrono::milliseconds pause(2);
   while (quiet < 4 && Clock::now() < end) {
     frame();
     quiet = app_.settled() ? quiet + 1 : 0;
-    if (quiet == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (quiet == 0) std::this_thread::sleep_for(pause);
+    pause = std::min(2 * pause, std::chrono::milliseconds(64));
   }
   return quiet >= 4;
 }
