@@ -103,6 +103,7 @@ TEST(NiceTicks, AreRoundNumbers) {
 
 TEST(NiceTicks, ArePowersOfTenOnALogarithmicAxis) {
   EXPECT_THAT(nice_ticks(0.9, 21, 6, true), ElementsAre(1, 2, 5, 10, 20));
+  EXPECT_THAT(nice_ticks(0.9, 35, 4, true), ElementsAre(1, 3, 10, 30));
   EXPECT_THAT(nice_ticks(1e-3, 1e3, 8, true), ElementsAre(1e-3, 1e-2, 0.1, 1, 10, 100, 1000));
   EXPECT_THAT(nice_ticks(1e-3, 1e3, 3, true), ElementsAre(0.01, 1, 100));
   EXPECT_THAT(nice_ticks(3, 4, 5, true), ElementsAre(3, 3.5, 4)) << "steps";
