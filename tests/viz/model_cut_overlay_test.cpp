@@ -134,7 +134,7 @@ TEST(CutOverlay, DrawsTheSelectedClusterEvenWhereNothingElseIsAskedFor) {
 }
 
 TEST(ClusterScale, GoesFromTheSmallestToTheLargestValue) {
-  const std::vector<ClusterRow> rows{row(0, 0.5F), row(1, 8), row(2, 0)};
+  const std::vector<ClusterRow> rows{row(0, 3), row(1, 8), row(2, 0), row(3, 0.5F), row(4, 1)};
   const HeatMapScale scale = cluster_scale(rows, ClusterColour::bound);
   EXPECT_EQ(scale.lo, 0.5F);
   EXPECT_EQ(scale.hi, 8);

@@ -50,23 +50,30 @@ TEST(Histogram, PutsValuesThatAreAllAlikeInTheFirstBin) {
     EXPECT_THAT(histogram_of(values, range_of(values, 2, logarithmic)).counts, ElementsAre(3, 0));
 }
 
+void expect_by_edges(std::vector<float> values, const HistogramRange& range) {
+  for (std::uint32_t i = 1; i < range.bins; ++i) values.push_back(float(range.edge(i)));
+  const Histogram h = histogram_of(values, range);
+  for (std::uint32_t i = 0; i < range.bins; ++i) {
+    const bool last = i + 1 == range.bins;
+    const auto within = std::count_if(values.begin(), values.end(), [&](float v) {
+      return v >= range.edge(i) && (last ? v <= range.edge(i + 1) : v < range.edge(i + 1));
+    });
+    EXPECT_EQ(h.counts[i], within) << "bin " << i;
+  }
+}
+
 TEST(Histogram, GoesByTheEdgesItStates) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> exponent(-30, 30);
   std::vector<float> values(20000);
   for (float& value : values) value = std::exp(exponent(random));
-  for (const bool logarithmic : {false, true}) {
-    HistogramRange range = range_of(values, 777, logarithmic);
-    for (std::uint32_t i = 1; i < 777; ++i) values.push_back(float(range.edge(i)));
-    const Histogram h = histogram_of(values, range);
-    for (std::uint32_t i = 0; i < range.bins; ++i) {
-      const bool last = i + 1 == range.bins;
-      const auto within = std::count_if(values.begin(), values.end(), [&](float v) {
-        return v >= range.edge(i) && (last ? v <= range.edge(i + 1) : v < range.edge(i + 1));
-      });
-      EXPECT_EQ(h.counts[i], within) << "bin " << i;
-    }
-  }
+  for (const bool logarithmic : {false, true})
+    expect_by_edges(values, range_of(values, 777, logarithmic));
+  // Edges that are floats themselves, where quotients and logarithms are a little off.
+  expect_by_edges({}, {.lo = 1, .hi = 0x1p60, .bins = 60, .logarithmic = true});
+  expect_by_edges({}, {.lo = 1e-3, .hi = 1e13, .bins = 16, .logarithmic = true});
+  expect_by_edges({}, {.lo = 0, .hi = 100, .bins = 100});
+  expect_by_edges({}, {.lo = 0x1p-60, .hi = 0x1p60, .bins = 120, .logarithmic = true});
 }
 
 TEST(Histogram, RangesFromTheSmallestToTheLargestFiniteValue) {
@@ -103,6 +110,7 @@ TEST(NiceTicks, AreRoundNumbers) {
 
 TEST(NiceTicks, ArePowersOfTenOnALogarithmicAxis) {
   EXPECT_THAT(nice_ticks(0.9, 21, 6, true), ElementsAre(1, 2, 5, 10, 20));
+  EXPECT_THAT(nice_ticks(0.9, 35, 4, true), ElementsAre(1, 3, 10, 30));
   EXPECT_THAT(nice_ticks(1e-3, 1e3, 8, true), ElementsAre(1e-3, 1e-2, 0.1, 1, 10, 100, 1000));
   EXPECT_THAT(nice_ticks(1e-3, 1e3, 3, true), ElementsAre(0.01, 1, 100));
   EXPECT_THAT(nice_ticks(3, 4, 5, true), ElementsAre(3, 3.5, 4)) << "steps";

@@ -129,11 +129,9 @@ TEST(Icicle, TellsWhatIsAboveInAndBelowACut) {
 
 TEST(Icicle, TakesNodesBesideACutOfSomeLightsForAboveIt) {
   const Icicle icicle(eight_lights());
-  const std::vector<std::uint32_t> nodes{4};
-  std::vector<Kind> kinds;
-  for (const IcicleBlock& b : icicle.blocks(eighty, icicle.cut(nodes))) kinds.push_back(b.kind);
-  EXPECT_THAT(kinds, ElementsAre(Kind::above_cut, Kind::above_cut, Kind::above_cut, Kind::above_cut,
-                                 Kind::cut, Kind::above_cut));
+  for (const std::uint32_t node : {1U, 4U})
+    for (const IcicleBlock& b : icicle.blocks(eighty, icicle.cut({&node, 1})))
+      EXPECT_EQ(b.kind, b.node == node ? Kind::cut : Kind::above_cut) << b.node << ", " << node;
 }
 
 TEST(Icicle, LeavesOutWhatIsOutsideTheWindow) {
@@ -146,6 +144,8 @@ TEST(Icicle, LeavesOutWhatIsOutsideTheWindow) {
                                                block(4, 1, 0, 80, Kind::above_cut)));
   view.rows = 1;
   EXPECT_THAT(icicle.blocks(view), ElementsAre(block(2, 0, 0, 80, Kind::above_cut)));
+  view.first_row = 99;
+  EXPECT_THAT(icicle.blocks(view), IsEmpty());
 }
 
 TEST(Icicle, MergesNeighboursNarrowerThanAPixel) {

@@ -184,6 +184,7 @@ std::vector<std::uint32_t> sorted_and_filtered(std::span<const ClusterRow> rows,
     return descending ? a.first > b.first : a.first < b.first;
   });
   std::vector<std::uint32_t> result;
+  result.reserve(order.size());
   for (const Keyed& entry : order) result.push_back(entry.second);
   return result;
 }

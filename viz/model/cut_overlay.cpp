@@ -70,8 +70,10 @@ std::vector<std::uint32_t> rows_with_boxes(std::span<const ClusterRow> rows,
   std::stable_sort(order.begin(), order.end(),
                    [](const Keyed& a, const Keyed& b) { return a.first > b.first; });
   order.resize(std::min<std::size_t>(order.size(), options.most_boxes));
+  std::reverse(order.begin(), order.end());
   std::vector<std::uint32_t> result;
-  for (auto entry = order.rbegin(); entry != order.rend(); ++entry) result.push_back(entry->second);
+  result.reserve(order.size());
+  for (const Keyed& entry : order) result.push_back(entry.second);
   return result;
 }
 

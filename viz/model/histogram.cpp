@@ -61,6 +61,7 @@ std::vector<double> powers(double lo, double hi, std::initializer_list<int> digi
 std::vector<double> logarithmic_ticks(double lo, double hi, std::uint32_t most) {
   std::vector<double> ticks = powers(lo, hi, {1, 2, 5}, 1);
   if (ticks.size() < 2) return linear_ticks(lo, hi, most);
+  if (ticks.size() > most) ticks = powers(lo, hi, {1, 3}, 1);
   for (int stride = 1; ticks.size() > most; ++stride) ticks = powers(lo, hi, {1}, stride);
   return ticks;
 }

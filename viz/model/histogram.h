@@ -38,9 +38,10 @@ struct Histogram {
 [[nodiscard]] std::vector<float> percentiles(std::span<const float> values,
                                              std::span<const double> percents);
 
-/// At most `most` round numbers from lo to hi: steps of 1, 2 or 5 times a power of ten; on a
-/// logarithmic axis (lo > 0) powers of ten, with their double and fivefold where there is room, or
-/// steps where less than two of them are in the range. None unless lo <= hi and hi - lo is finite.
+/// At most `most` round numbers from lo to hi: steps of 1, 2 or 5 times a power of ten. On a
+/// logarithmic axis (lo > 0): 1, 2 and 5, or 1 and 3 times the powers of ten, or some of these
+/// powers alone, whatever there is room for; steps where the range is narrower than that. None
+/// unless lo <= hi and hi - lo is finite.
 [[nodiscard]] std::vector<double> nice_ticks(double lo, double hi, std::uint32_t most,
                                              bool logarithmic);
 

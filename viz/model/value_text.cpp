@@ -43,7 +43,8 @@ std::string short_text(double value) {
 }
 
 std::string rgb_text(const glm::dvec3& value) {
-  const std::string r = short_text(value.x), g = short_text(value.y), b = short_text(value.z);
+  std::string r = short_text(value.x);
+  const std::string g = short_text(value.y), b = short_text(value.z);
   if (r == g && g == b) return r;
   return fmt::format("{} {} {}", r, g, b);
 }

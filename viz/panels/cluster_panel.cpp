@@ -2,6 +2,7 @@
 #include "cluster_panel.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 #include <imgui_stdlib.h>
@@ -41,18 +42,24 @@ std::string details(const ClusterRow& row) {
                      rgb_text(row.estimate), truth, error_text, short_text(row.share));
 }
 
+bool is_up_to_date(const ClusterContents& contents, const ClusterPanelState& state) {
+  const auto& order = state.order;
+  return order && order->filter == state.filter && order->column == state.column &&
+         order->descending == state.descending && order->revision == contents.revision &&
+         order->of == contents.rows.size();
+}
+
 void update_order(const ClusterContents& contents, ClusterPanelState& state) {
-  if (state.order && state.order->filter == state.filter && state.order->column == state.column &&
-      state.order->descending == state.descending && state.order->revision == contents.revision)
-    return;
-  const FilterReading reading = read_filter(state.filter);
-  state.order = ClusterPanelState::Order{
-      state.filter,
-      reading.error,
-      state.column,
-      state.descending,
-      contents.revision,
-      sorted_and_filtered(contents.rows, state.column, state.descending, reading.filter)};
+  if (is_up_to_date(contents, state)) return;
+  FilterReading reading = read_filter(state.filter);
+  ClusterPanelState::Order& order = state.order.emplace();
+  order.filter = state.filter;
+  order.error = std::move(reading.error);
+  order.column = state.column;
+  order.descending = state.descending;
+  order.revision = contents.revision;
+  order.of = contents.rows.size();
+  order.rows = sorted_and_filtered(contents.rows, state.column, state.descending, reading.filter);
 }
 
 void draw_filter(const ClusterContents& contents, ClusterPanelState& state) {

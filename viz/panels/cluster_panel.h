@@ -34,6 +34,7 @@ struct ClusterPanelState {
     ClusterColumn column = ClusterColumn::node;
     bool descending = false;
     std::uint64_t revision = 0;
+    std::size_t of = 0; ///< rows there are
     std::vector<std::uint32_t> rows;
   };
   std::optional<Order> order;

@@ -170,19 +170,22 @@ void draw_value(const PlotSeries& s, std::size_t i, std::size_t index, const Can
     return;
   }
   if (!c.y.shows(s.y[i])) return;
-  if (s.kind == PlotKind::points)
+  const bool is_line = s.kind == PlotKind::line;
+  if (!is_line || i < s.labels.size())
     c.draw->AddCircleFilled(c.at(s.x[i], s.y[i]), 3.5F, colour_of(index));
-  else if (i > 0 && c.x.shows(s.x[i - 1]) && c.y.shows(s.y[i - 1]))
+  if (is_line && i > 0 && c.x.shows(s.x[i - 1]) && c.y.shows(s.y[i - 1]))
     c.draw->AddLine(c.at(s.x[i - 1], s.y[i - 1]), c.at(s.x[i], s.y[i]), colour_of(index), 2);
 }
 
 void draw_legend(const Plot& plot, const Canvas& c) {
   const float line = ImGui::GetTextLineHeight();
-  float y = c.lo.y + gap;
+  float y = c.lo.y + gap, width = 0;
+  for (const PlotSeries& s : plot.series)
+    width = std::max(width, ImGui::CalcTextSize(s.name.c_str()).x);
+  const float x = c.hi.x - width - line - 2 * gap;
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const std::string& name = plot.series[k].name;
     if (name.empty() || y + line > c.hi.y) continue;
-    const float x = c.hi.x - ImGui::CalcTextSize(name.c_str()).x - line - 2 * gap;
     c.draw->AddRectFilled({x - gap, y}, {c.hi.x - 1, y + line}, IM_COL32(22, 24, 28, 190));
     c.draw->AddRectFilled({x, y + 0.3F * line}, {x + 0.8F * line, y + 0.7F * line}, colour_of(k));
     draw_text(c, {x + line, y}, name, 0);

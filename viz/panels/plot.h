@@ -11,7 +11,7 @@
 namespace lightcuts::viz {
 
 enum class PlotKind {
-  line,
+  line, ///< with dots where there are labels
   points,
   bars,    ///< one at each x, ascending, as wide as halfway to its neighbours
   vertical ///< lines from bottom to top at each x, whatever y
