@@ -38,6 +38,8 @@ std::string message_of(const std::string& vertex_source, const std::string& frag
 
 class GlObjects : public ::testing::Test {
 protected:
+  void TearDown() override { EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR)); }
+
   OffscreenContext context_;
 };
 

@@ -145,6 +145,8 @@ Scene moved(Scene scene, const glm::vec3& by) {
 
 class RasterPreviewTest : public ::testing::Test {
 protected:
+  void TearDown() override { EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR)); }
+
   OffscreenContext context_;
 };
 

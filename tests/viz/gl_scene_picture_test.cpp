@@ -48,6 +48,8 @@ Scene wall() {
 
 class ScenePictureTest : public ::testing::Test {
 protected:
+  void TearDown() override { EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR)); }
+
   /// The scene with an overlay from the front.
   static std::vector<Rgba8> drawn(const Scene& scene, const Overlay& overlay,
                                   const ScenePicture::Config& config = {}) {

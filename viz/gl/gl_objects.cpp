@@ -2,6 +2,7 @@
 #include "gl/gl_objects.h"
 
 #include <algorithm>
+#include <bit>
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -155,7 +156,7 @@ void VertexArray::attribute(GLuint index, const Buffer& buffer, int components, 
   glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
   glEnableVertexAttribArray(index);
   glVertexAttribPointer(index, components, type, normalised ? GL_TRUE : GL_FALSE, GLsizei(stride),
-                        reinterpret_cast<const void*>(offset)); // OpenGL's way to pass an offset
+                        std::bit_cast<const void*>(offset)); // OpenGL's way to pass an offset
 }
 
 Texture2D::Texture2D() : name_(generated(glGenTextures)) {

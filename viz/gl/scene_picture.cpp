@@ -32,7 +32,7 @@ glm::vec3 shown_colour(const Surface& surface) {
 Rgba8 shown_colour(const Light& light, std::uint8_t opacity) {
   const float most = std::max({light.intensity.r, light.intensity.g, light.intensity.b});
   if (!(most > 0)) return {90, 90, 90, opacity};
-  return {glm::vec<3, std::uint8_t>(glm::round(255.0F / most * light.intensity)), opacity};
+  return {glm::vec<3, std::uint8_t>(glm::round(255.0F * (light.intensity / most))), opacity};
 }
 
 std::vector<ColouredPoint> light_points(const Scene& scene, const Box& bounds) {

@@ -32,8 +32,10 @@ out vec4 result;
 void main() {
   vec3 n = dot(normal, normal) < 1e-12 ? face : normalize(normal);
   float facing = abs(dot(n, normalize(offset)));
-  result = vec4(colour.rgb * (0.35 + 0.65 * facing), colour.a);
-  gl_FragDepth = min(1.0 / (gl_FragCoord.w * reach), 1.0);
+  float depth = min(1.0 / (gl_FragCoord.w * reach), 1.0);
+  // Darker with the distance: else parallel faces would melt into one.
+  result = vec4(colour.rgb * (0.35 + 0.65 * facing) * (1.0 - 0.35 * depth), colour.a);
+  gl_FragDepth = depth;
 }
 )";
 
