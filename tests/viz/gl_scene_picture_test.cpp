@@ -101,17 +101,17 @@ TEST_F(ScenePictureTest, WidthsAndSizesAreInPixels) {
   const auto count = [](const std::vector<Rgba8>& pixels) {
     return std::count(pixels.begin(), pixels.end(), green);
   };
-  const auto line = [&](Weight weight) { // 90 pixels long
+  const auto line = [&](float weight) { // 90 pixels long
     return count(drawn({}, {.lines = {{{-40, 0.1F, 0}, {40, 0.1F, 0}, green, weight}}}));
   };
   EXPECT_EQ(line(1), 90);
   EXPECT_EQ(line(2), 180);
   EXPECT_GE(line(3.5F), 270);
-  const auto point = [&](Weight weight) {
+  const auto point = [&](float weight) {
     return double(count(drawn({}, {.points = {{{0, 0, 0}, green, weight}}})));
   };
-  EXPECT_NEAR(point(2), 3.14 * 3 * 3, 6);
-  EXPECT_NEAR(point(3.5F), 3.14 * 5 * 5, 9);
+  EXPECT_NEAR(point(6), 3.14 * 3 * 3, 6);
+  EXPECT_NEAR(point(10), 3.14 * 5 * 5, 9);
 }
 
 TEST_F(ScenePictureTest, HiddenPartsAreFaint) {
