@@ -30,7 +30,7 @@ TEST(GuiView, TabCyclesMethodsWithoutLosingViewOrSelection) {
 
 TEST(GuiView, WheelKeepsThePixelUnderTheCursor) {
   Robot robot(small_room());
-  const glm::dvec2 at = robot.on_screen({13, 37});
+  const glm::dvec2 at = glm::floor(robot.on_screen({13, 37})); // as mice are
   const auto under_cursor = [&] {
     return to_image(robot.app().image().view(), robot.app().image().area(), at);
   };
@@ -89,7 +89,7 @@ TEST(GuiView, ThresholdRendersAnew) {
   const float threshold = *robot.state().shading.threshold;
   const ScreenArea area = robot.app().image().area();
   const double x = area.origin.x + area.size.x + 320;
-  for (double y = 60; y < 400 && robot.state().shading.threshold == threshold; y += 8)
+  for (double y = 84; y < 400 && robot.state().shading.threshold == threshold; y += 8)
     robot.click({x, y});
   ASSERT_NE(robot.state().shading.threshold, threshold);
   ASSERT_TRUE(robot.state().shading.threshold);

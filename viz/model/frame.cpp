@@ -5,9 +5,15 @@
 
 namespace lightcuts::viz {
 
+SceneView view_for(const FrameKey& key) {
+  const OpenedScene& scene = *key.scene;
+  if (key.camera == scene.scene().camera) return scene.view();
+  return scene.view().seen_by(key.camera, scene.scene().image_size);
+}
+
 Frame::Frame(FrameKey key)
-    : Picture(key.scene->scene().image_size), key_(std::move(key)),
-      view_(key_.scene->view().seen_by(key_.camera, size())), rendering_(blank_rendering(size())) {
+    : Picture(key.scene->scene().image_size), key_(std::move(key)), view_(view_for(key_)),
+      rendering_(blank_rendering(size())) {
   config_.method = key_.method;
   config_.cut = cut_config(key_.settings, *key_.scene, view_);
   config_.seed = key_.settings.seed;

@@ -18,6 +18,9 @@ struct FrameKey {
   bool operator==(const FrameKey&) const = default;
 };
 
+/// The scene as the key's camera sees it. Quick where that is the scene's own.
+[[nodiscard]] SceneView view_for(const FrameKey& key);
+
 /// A picture by one of the library's methods. Of a counterexample, the library's as well: only its
 /// shading point is the subject's.
 class Frame : public Picture {

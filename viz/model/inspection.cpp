@@ -17,8 +17,7 @@ namespace {
 class Place {
 public:
   explicit Place(const InspectionKey& key)
-      : key_(key), scene_(*key.frame.scene),
-        view_(scene_.view().seen_by(key.frame.camera, scene_.scene().image_size)) {
+      : key_(key), scene_(*key.frame.scene), view_(view_for(key.frame)) {
     if (const auto& c = scene_.counterexample()) {
       const oracle::CaseView& view = c->saved.counterexample.on.views[c->view];
       const ShadingPoint point = view.view.point();

@@ -15,13 +15,13 @@ using Rgba8 = glm::vec<4, std::uint8_t>;
 struct ColouredLine {
   glm::vec3 a{0}, b{0}; ///< its ends in the world, metres
   Rgba8 colour{255};
-  float width = 1; ///< pixels
+  float width = 2; ///< pixels
 };
 
 struct ColouredPoint {
   glm::vec3 at{0}; ///< in the world, metres
   Rgba8 colour{255};
-  float size = 1; ///< diameter, pixels
+  float size = 6; ///< diameter, pixels
 };
 
 /// What is drawn over a picture of the scene, in this order: later ones lie on top.

@@ -19,8 +19,7 @@ struct TruthPicture::State {
 };
 
 TruthPicture::TruthPicture(FrameKey key)
-    : Picture(key.scene->scene().image_size), key_(std::move(key)),
-      view_(key_.scene->view().seen_by(key_.camera, size())),
+    : Picture(key.scene->scene().image_size), key_(std::move(key)), view_(view_for(key_)),
       cut_(cut_config(key_.settings, *key_.scene, view_)), clairvoyant_(pixel_count(), 0),
       violations_(pixel_count(), 0) {}
 

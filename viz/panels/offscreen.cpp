@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include "gl/opengl.h"
+
 namespace lightcuts::viz {
 
 Offscreen::Offscreen(glm::uvec2 size, float scale, AppSettings settings,
@@ -26,8 +28,8 @@ void Offscreen::frame(float seconds) {
 bool Offscreen::settle(double seconds) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-  // What a frame asks for is seen in the next one; some things of ImGui take two. Frames by software
-  // take the processor from what they wait for: a few are enough.
+  // What a frame asks for is seen in the next one; some things of ImGui take two. Frames by
+  // software take the processor from what they wait for: a few are enough.
   int quiet = 0;
   std::chrono::milliseconds pause(2);
   while (quiet < 4 && Clock::now() < end) {
@@ -38,6 +40,8 @@ bool Offscreen::settle(double seconds) {
   }
   return quiet >= 4;
 }
+
+void Offscreen::finish() const { glFinish(); }
 
 std::vector<Rgb8> Offscreen::screenshot() const {
   std::vector<Rgb8> pixels;

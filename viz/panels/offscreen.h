@@ -28,6 +28,8 @@ public:
   /// Frames until all that is asked for is shown, or so many seconds are over; returns whether it
   /// is.
   bool settle(double seconds);
+  /// Waits until OpenGL has drawn the last frame; for measurements.
+  void finish() const;
   /// What the last frame looked like, row by row from the top.
   [[nodiscard]] std::vector<Rgb8> screenshot() const;
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
@@ -11,6 +12,7 @@
 
 #include "gl/gl_error.h"
 #include "panels/app.h"
+#include "panels/frame_pacer.h"
 #include "panels/gui.h"
 
 namespace lightcuts::viz {
@@ -82,6 +84,20 @@ void draw(GLFWwindow* window, Gui& gui, App& app, glm::ivec2 size) {
   glfwSwapBuffers(window);
 }
 
+/// Until the next frame is due, or something happens. While the pace is the fastest, events wait
+/// for the frame.
+void wait_for_events(FramePacer& pacer, bool busy) {
+  const auto start = FramePacer::Clock::now();
+  const double patience = pacer.patience(busy, start);
+  if (patience > FramePacer::fastest) {
+    glfwWaitEventsTimeout(patience);
+  } else {
+    std::this_thread::sleep_for(std::chrono::duration<double>(patience));
+    glfwPollEvents();
+  }
+  pacer.waited(patience, std::chrono::duration<double>(FramePacer::Clock::now() - start).count());
+}
+
 } // namespace
 
 AppSettings run_window(const AppSettings& settings, std::optional<float> scale,
@@ -94,21 +110,14 @@ AppSettings run_window(const AppSettings& settings, std::optional<float> scale,
   App app(settings, output);
   let_files_drop(window.get(), app);
   start(app);
-  // Nothing happens by itself once all is shown: a few frames after the last event are enough.
-  constexpr int frames_after_event = 3;
-  for (int idle = 0; glfwWindowShouldClose(window.get()) == GLFW_FALSE && !app.wants_to_quit();) {
-    if (idle < frames_after_event)
-      glfwPollEvents();
-    else
-      glfwWaitEventsTimeout(0.25);
-    idle = app.settled() && idle < frames_after_event ? idle + 1 : 0;
+  FramePacer pacer;
+  while (glfwWindowShouldClose(window.get()) == GLFW_FALSE && !app.wants_to_quit()) {
+    wait_for_events(pacer, !app.settled());
     glm::ivec2 size(0);
     glfwGetFramebufferSize(window.get(), &size.x, &size.y);
-    if (size.x <= 0 || size.y <= 0) {
-      glfwWaitEventsTimeout(0.1); // minimised, or made to nothing
-      continue;
-    }
-    draw(window.get(), gui, app, size);
+    if (size.x > 0 && size.y > 0) // else minimised, or made to nothing
+      draw(window.get(), gui, app, size);
+    pacer.drawn(FramePacer::Clock::now());
   }
   AppSettings result = app.settings();
   glm::ivec2 size(0);

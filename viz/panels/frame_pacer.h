@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+
+namespace lightcuts::viz {
+
+/// When to draw the next frame: at once while somebody does something, now and then while a picture
+/// grows, so that what draws (software, maybe) leaves the processor to what renders, and not at all
+/// where nothing changes.
+class FramePacer {
+public:
+  using Clock = std::chrono::steady_clock;
+
+  static constexpr double fastest = 1.0 / 75; ///< seconds between frames at least
+  static constexpr double busy = 0.1;         ///< while something runs in the background
+  static constexpr double idle = 0.5;
+
+  /// For how many seconds to wait for events before the next frame.
+  [[nodiscard]] double patience(bool is_busy, Clock::time_point now) const;
+  /// What came of the waiting: whether there were events, after so many seconds of `patience`.
+  void waited(double patience, double seconds);
+  void drawn(Clock::time_point now) { last_ = now; }
+
+private:
+  static constexpr int frames_after_event = 3; ///< some things of ImGui take two
+
+  Clock::time_point last_{};
+  int eager_ = frames_after_event;
+};
+
+} // namespace lightcuts::viz
