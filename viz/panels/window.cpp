@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "window.h"
 
-#include <cstdlib>
+#include <array>
 #include <memory>
+#include <set>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
@@ -54,13 +56,53 @@ WindowHandle make_window(const AppSettings& settings) {
   return window;
 }
 
-/// ImGui's connection to the window's mouse and keys.
+/// What GLFW's callbacks find by the window's user pointer.
+struct Connection {
+  App* app = nullptr;
+  std::set<int> pressed; ///< keys, since the last frame
+  std::vector<std::array<int, 4>> deferred;
+};
+
+Connection& connection_of(GLFWwindow* window) {
+  return *static_cast<Connection*>(glfwGetWindowUserPointer(window));
+}
+
+/// ImGui looks at keys once per frame: a key that is released in the frame in which it was pressed
+/// stays down until the next one.
+void pass_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
+  Connection& connection = connection_of(window);
+  if (action == GLFW_PRESS) connection.pressed.insert(key);
+  if (action == GLFW_RELEASE && connection.pressed.contains(key))
+    connection.deferred.push_back({key, scancode, action, mods});
+  else
+    ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
+}
+
+void release_deferred_keys(GLFWwindow* window) {
+  Connection& connection = connection_of(window);
+  connection.pressed.clear();
+  for (const auto& [key, scancode, action, mods] : connection.deferred)
+    ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
+  connection.deferred.clear();
+}
+
+/// The window's mouse, keys and dropped files.
 class Input {
 public:
-  explicit Input(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, true); }
+  Input(GLFWwindow* window, App& app) : connection_{&app, {}, {}} {
+    glfwSetWindowUserPointer(window, &connection_);
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    glfwSetKeyCallback(window, pass_key);
+    glfwSetDropCallback(window, [](GLFWwindow* at, int count, const char** files) {
+      if (count > 0) connection_of(at).app->drop(files[0]);
+    });
+  }
   ~Input() { ImGui_ImplGlfw_Shutdown(); }
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
+
+private:
+  Connection connection_;
 };
 
 float scale_of(GLFWwindow* window, const std::optional<float>& wanted) {
@@ -69,19 +111,13 @@ float scale_of(GLFWwindow* window, const std::optional<float>& wanted) {
   return wanted.value_or(x);
 }
 
-void let_files_drop(GLFWwindow* window, App& app) {
-  glfwSetWindowUserPointer(window, &app);
-  glfwSetDropCallback(window, [](GLFWwindow* at, int count, const char** files) {
-    if (count > 0) static_cast<App*>(glfwGetWindowUserPointer(at))->drop(files[0]);
-  });
-}
-
 void draw(GLFWwindow* window, Gui& gui, App& app, glm::ivec2 size) {
   ImGui_ImplGlfw_NewFrame();
   gui.begin();
   app.frame();
   gui.end(glm::uvec2(size));
   glfwSwapBuffers(window);
+  release_deferred_keys(window);
 }
 
 /// Until the next frame is due, or something happens. While the pace is the fastest, events wait
@@ -106,9 +142,8 @@ AppSettings run_window(const AppSettings& settings, std::optional<float> scale,
   const Glfw glfw;
   const WindowHandle window = make_window(settings);
   Gui gui(scale_of(window.get(), scale));
-  const Input input(window.get());
   App app(settings, output);
-  let_files_drop(window.get(), app);
+  const Input input(window.get(), app);
   start(app);
   FramePacer pacer;
   while (glfwWindowShouldClose(window.get()) == GLFW_FALSE && !app.wants_to_quit()) {
