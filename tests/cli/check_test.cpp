@@ -184,6 +184,10 @@ TEST(Campaign, RefusesTheFileOfAnother) {
   const Outcome clamped = oracle.run(with(kept, {"--min-distance", "0.5"}));
   EXPECT_EQ(clamped.exit_code, 3);
   EXPECT_THAT(clamped.err, HasSubstr("hash of the lights"));
+  std::ofstream(oracle.folder() / "kept.json") << R"({"schema": "lightcuts-oracle/campaign/0"})";
+  const Outcome old = oracle.run(kept);
+  EXPECT_EQ(old.exit_code, 3);
+  EXPECT_THAT(old.err, HasSubstr("kept.json: is of another version of lightcuts-oracle"));
   std::ofstream(oracle.folder() / "kept.json") << "{\"schema\": 3";
   EXPECT_EQ(oracle.run(kept).exit_code, 3);
   EXPECT_EQ(oracle.run(with(small_check, {"--resume", "/dev/null/x"})).exit_code, 3);
