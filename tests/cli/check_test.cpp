@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "oracle_process.h"
 
+#include <csignal>
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "terminal.h"
 
 namespace lightcuts {
 namespace {
@@ -181,9 +184,31 @@ TEST(Campaign, RefusesTheFileOfAnother) {
   const Outcome clamped = oracle.run(with(kept, {"--min-distance", "0.5"}));
   EXPECT_EQ(clamped.exit_code, 3);
   EXPECT_THAT(clamped.err, HasSubstr("hash of the lights"));
+  std::ofstream(oracle.folder() / "kept.json") << R"({"schema": "lightcuts-oracle/campaign/0"})";
+  const Outcome old = oracle.run(kept);
+  EXPECT_EQ(old.exit_code, 3);
+  EXPECT_THAT(old.err, HasSubstr("kept.json: is of another version of lightcuts-oracle"));
   std::ofstream(oracle.folder() / "kept.json") << "{\"schema\": 3";
   EXPECT_EQ(oracle.run(kept).exit_code, 3);
   EXPECT_EQ(oracle.run(with(small_check, {"--resume", "/dev/null/x"})).exit_code, 3);
+}
+
+TEST(Campaign, IsSavedAtCtrlC) {
+  const OracleProcess oracle;
+  const Terminal terminal;
+  const auto out = oracle.folder() / "out.json";
+  const pid_t child = oracle.start({"check", "cloud?lights=100", "--size", "16x12", "--cases",
+                                    "1e12", "--resume", "kept.json", "--json", "-"},
+                                   out, terminal.path());
+  ASSERT_THAT(terminal.next(), HasSubstr("check cloud?lights=100 [")); // it is at work
+  kill(child, SIGINT);
+  const Outcome outcome = OracleProcess::outcome_of(child, out, terminal.path());
+  EXPECT_EQ(outcome.exit_code, 0);
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(result["complete"], false);
+  EXPECT_GT(result["pairs"], 0);
+  const json kept = json::parse(content_of(oracle.folder() / "kept.json"));
+  EXPECT_EQ(kept["result"]["pairs"], result["pairs"]);
 }
 
 TEST(Campaign, EndsInTime) {

@@ -36,10 +36,17 @@ public:
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments,
                             const std::filesystem::path& out) const {
     const auto err = temporary_.path / "stderr";
+    return outcome_of(start(arguments, out, err), out, err);
+  }
+
+  /// Starts the program with stdout and stderr led to files of one's own; 0 where that fails.
+  [[nodiscard]] pid_t start(const std::vector<std::string>& arguments,
+                            const std::filesystem::path& out,
+                            const std::filesystem::path& err) const {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addchdir_np(&actions, folder().c_str());
-    constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
+    constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC | O_NOCTTY;
     posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), flags, 0600);
     posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), flags, 0600);
     std::vector<std::string> copies{LIGHTCUTS_ORACLE};
@@ -50,11 +57,18 @@ public:
     pid_t child = 0;
     const int failed = posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
-    if (failed != 0) return {};
+    return failed == 0 ? child : 0;
+  }
+
+  /// Waits for what was started with these files; those that are no regular ones are not read.
+  [[nodiscard]] static Outcome outcome_of(pid_t child, const std::filesystem::path& out,
+                                          const std::filesystem::path& err) {
     int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-            is_regular_file(out) ? content_of(out) : "", content_of(err)};
+    if (child <= 0 || waitpid(child, &status, 0) != child) return {};
+    const auto text = [](const auto& file) {
+      return is_regular_file(file) ? content_of(file) : "";
+    };
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text(out), text(err)};
   }
 
   /// Names of all that is in the folder, however deep.

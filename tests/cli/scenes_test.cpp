@@ -58,6 +58,18 @@ TEST(RenderCommand, WritesPicturesToTheFolder) {
   EXPECT_EQ(oracle.files().size(), 7U); // two folders and five files
 }
 
+TEST(RenderCommand, SaysWhereTheCameraSeesNothing) {
+  const OracleProcess oracle;
+  write(oracle.folder() / "floor.obj", "v -1 0 -1\nv 1 0 -1\nv 0 0 1\nf 1 2 3\n");
+  write(oracle.folder() / "away.json",
+        R"({"geometry": "floor.obj", "image": {"width": 4, "height": 4},
+            "camera": {"position": [0, 1, 0], "target": [0, 2, 0.1]},
+            "lights": [{"position": [0, 2, 0], "intensity": 1}]})");
+  const Outcome outcome = oracle.run({"render", "away.json"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("the camera sees no surface"));
+}
+
 TEST(RenderCommand, NamesTheFolderAfterTheScene) {
   const OracleProcess oracle;
   const Outcome outcome = oracle.run({"render", "cloud?lights=5", "--size", "4x3", "--threshold",

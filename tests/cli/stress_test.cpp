@@ -39,6 +39,13 @@ TEST(StressCommand, SavesWhatItFindsAndSaysHowToFindItAgain) {
   EXPECT_LE(saved["case"]["lights"].size(), 6U);
 }
 
+TEST(StressCommand, QuotesNamesThatAShellWouldSplit) {
+  const Outcome outcome = OracleProcess().run(
+      {"stress", "--subject", "heap-inverted", "--cases", "1e3", "--out", "it's here"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("lightcuts-oracle replay 'it'\\''s here/counterexample-"));
+}
+
 TEST(StressCommand, PrintsJsonAndNothingElse) {
   const OracleProcess oracle;
   const Outcome outcome = oracle.run({"stress", "--subject", "mutant:intensity-of-representative",

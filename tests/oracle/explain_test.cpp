@@ -9,6 +9,8 @@
 #include <lightcuts/oracle/library_subject.h>
 #include <lightcuts/oracle/mutants.h>
 
+#include "made_subject.h"
+
 namespace lightcuts::oracle {
 namespace {
 
@@ -79,6 +81,77 @@ TEST(Explain, ShowsTheRefinementOfACut) {
   EXPECT_THAT(text, HasSubstr("certified error"));
   EXPECT_THAT(text, HasSubstr("truth, 700 bits"));
   EXPECT_THAT(text, HasSubstr("they part here: the bound of node "));
+}
+
+/// Refines less the smaller the threshold.
+class BackwardTree : public LibraryTree {
+public:
+  using LibraryTree::LibraryTree;
+  Cut select(const ShadingPoint& point, const CutConfig& config,
+             const std::function<bool(std::uint32_t)>& visible) override {
+    CutConfig backward = config;
+    backward.threshold = config.threshold < 0.5F ? 100 : 0;
+    return LibraryTree::select(point, backward, visible);
+  }
+};
+
+TEST(Explain, ShowsBothCutsWhereTheSecondDoesNotRefineTheFirst) {
+  Case on = two_lights_above();
+  on.cut.threshold = 0.5F;
+  const std::string text =
+      explain(subject_with<BackwardTree>(), {Property::tighter_threshold_refines, on, "", 0});
+  EXPECT_THAT(text, ContainsRegex("cut: threshold 0\\.5(.|\n)*cut: threshold 0\\.125"));
+  EXPECT_THAT(text, HasSubstr("they part here: "));
+  EXPECT_THAT(text, HasSubstr("does not refine"));
+}
+
+/// Each hidden light makes all brighter.
+class GlowingTree : public LibraryTree {
+public:
+  using LibraryTree::LibraryTree;
+  Cut select(const ShadingPoint& point, const CutConfig& config,
+             const std::function<bool(std::uint32_t)>& visible) override {
+    Cut cut = LibraryTree::select(point, config, visible);
+    for (std::uint32_t light = 0; light < 2; ++light)
+      if (!visible(light)) cut.radiance *= 100;
+    return cut;
+  }
+};
+
+TEST(Explain, ShowsTheCutsWithAndWithoutWhatIsHidden) {
+  Case on = two_lights_above();
+  on.views[0].hidden = {0};
+  const std::string text =
+      explain(subject_with<GlowingTree>(), {Property::visibility_only_darkens, on, "", 0});
+  EXPECT_THAT(text, ContainsRegex("cut: (.|\n)*in the cut\n(.|\n)*cut: (.|\n)*hidden"));
+  EXPECT_THAT(text, HasSubstr("they part here: "));
+  EXPECT_THAT(text, HasSubstr("with all lights seen"));
+}
+
+/// Has a cluster twice, and a node that is none.
+class StrayingTree : public LibraryTree {
+public:
+  using LibraryTree::LibraryTree;
+  Cut select(const ShadingPoint& point, const CutConfig& config,
+             const std::function<bool(std::uint32_t)>& visible) override {
+    Cut cut = LibraryTree::select(point, config, visible);
+    clusters_.assign(cut.clusters.begin(), cut.clusters.end());
+    clusters_.push_back(clusters_.front());
+    clusters_.push_back({99, true, {}, {}});
+    cut.clusters = clusters_;
+    return cut;
+  }
+
+private:
+  std::vector<CutCluster> clusters_;
+};
+
+TEST(Explain, ShowsClustersOfACutThatAreTwiceInItOrNone) {
+  const std::string text = explain(subject_with<StrayingTree>(),
+                                   {Property::cut_partitions_lights, two_lights_above(), "", 0});
+  EXPECT_THAT(text, ContainsRegex("  [0-2] +once more, or no node at all\n"));
+  EXPECT_THAT(text, ContainsRegex("  99 +once more, or no node at all\n"));
+  EXPECT_THAT(text, HasSubstr("beyond the 3 nodes there are: 99"));
 }
 
 /// Says of the library's tree what is not so.

@@ -79,12 +79,12 @@ TEST_F(ReportHtml, gives_no_two_elements_the_same_id) {
 }
 
 TEST_F(ReportHtml, escapes_text) {
-  report.scene = "a<b&\"c";
+  report.scene = "a<b&\"c'd";
   report.runs[1].method = "<i>";
   report.left_out = {"<u>"};
   report.pictures[0].first = "\"><s>";
   const std::string page = html();
-  EXPECT_TRUE(contains(page, "<h1>a&lt;b&amp;&quot;c</h1>"));
+  EXPECT_TRUE(contains(page, "<h1>a&lt;b&amp;&quot;c&#39;d</h1>"));
   for (const char* raw : {"a<b", "<i>", "<u>", "<s>"}) EXPECT_FALSE(contains(page, raw)) << raw;
   EXPECT_EQ(unbalanced_tag(page), "");
 }

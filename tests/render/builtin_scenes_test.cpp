@@ -2,6 +2,7 @@
 #include <lightcuts/render/builtin_scenes.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -129,6 +130,10 @@ TEST(BuiltinScenes, refuse_bad_values) {
   refuses("cloud?lights=3&&seed=1", "parameter '' has no value");
   refuses("cloud?seed=1&seed=2", "cloud: parameter 'seed' is given twice");
   refuses("cloud?blocks=100001", "cloud: parameter 'blocks' is 100001, expected 0 to 100000");
+  for (const char* clamp : {"0", "-1", "inf", "nan", "1m", ""})
+    refuses(std::string("cloud?clamp=") + clamp,
+            "cloud: parameter 'clamp' is '" + std::string(clamp) + "', expected a number above 0");
+  refuses("cloud?kind=laser", "'laser', expected one of omni, oriented, spot, directional, mixed");
   refuses("cloud?material=metal", "'metal', expected one of diffuse, phong, ward, ggx, glossy");
 }
 
@@ -198,6 +203,22 @@ TEST(CloudScene, obeys_its_parameters) {
   EXPECT_FALSE(has_glossy_surface(scene));
   EXPECT_TRUE(has_glossy_surface(make_builtin("cloud?material=glossy")));
   EXPECT_EQ(make_builtin("cloud?").lights.size(), 10000U);
+}
+
+TEST(CloudScene, has_lights_of_the_kind_asked_for_clamped_where_asked) {
+  const auto kinds = [](const std::string& kind) {
+    std::set<LightKind> found;
+    for (const Light& light : make_builtin("cloud?lights=40&kind=" + kind).lights)
+      found.insert(light.kind);
+    return found;
+  };
+  EXPECT_EQ(kinds("omni"), std::set{LightKind::omni});
+  EXPECT_EQ(kinds("oriented"), std::set{LightKind::oriented});
+  EXPECT_EQ(kinds("spot"), std::set{LightKind::spot});
+  EXPECT_EQ(kinds("directional"), std::set{LightKind::directional});
+  EXPECT_EQ(kinds("mixed").size(), 4U);
+  EXPECT_EQ(make_builtin("cloud?clamp=0.25").lights.min_distance(), 0.25F);
+  EXPECT_EQ(make_builtin("cloud").lights.min_distance(), 0);
 }
 
 TEST(CloudScene, changes_with_its_seed_only) {

@@ -95,6 +95,13 @@ TEST_F(EnvironmentMapFile, is_refused_where_it_is_cropped) {
   expect_refusal("crop.exr: is cropped", [&] { (void)read_environment(file); });
 }
 
+TEST_F(EnvironmentMapFile, is_refused_where_it_is_too_wide) {
+  const OIIO::ImageSpec spec(16385, 1, 1, OIIO::TypeDesc::FLOAT);
+  const auto file = write_image("wide.exr", spec, std::vector<float>(16385, 1));
+  expect_refusal("wide.exr: 16385 x 1 pixels, expected 1 to 16384 each",
+                 [&] { (void)read_environment(file); });
+}
+
 TEST_F(EnvironmentMapFile, is_refused_where_it_cannot_be_read) {
   expect_refusal("absent.exr", [&] { (void)read_environment(folder_.path / "absent.exr"); });
   write(folder_.path / "text.exr", "not an image");

@@ -99,6 +99,11 @@ TEST(Exr, names_the_file_it_cannot_read_or_write) {
   EXPECT_NE(message([&] { static_cast<void>(read_exr(home.path / "bad.exr")); }).find("bad.exr"),
             std::string::npos);
   EXPECT_THROW(static_cast<void>(read_exr(home.path / "none.exr")), InputError);
+  write_exr(random_film(1), home.path / "whole.exr");
+  const std::string whole = content_of(home.path / "whole.exr");
+  write(home.path / "cut.exr", whole.substr(0, whole.size() - 8));
+  EXPECT_NE(message([&] { static_cast<void>(read_exr(home.path / "cut.exr")); }).find("cut.exr"),
+            std::string::npos);
   EXPECT_THROW(write_exr(Film({2, 2}), home.path / "empty.exr"), InputError);
   EXPECT_THROW(write_png(home.path / "bad.exr/a.png", {1, 1}, std::vector{glm::vec3(0)}, 1),
                InputError);

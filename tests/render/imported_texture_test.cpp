@@ -224,6 +224,12 @@ TEST_F(ImportedTexture, is_loaded_once_for_all_materials) {
   for (const Surface& surface : scene.surfaces) EXPECT_EQ(surface.texture.value().index, 0U);
 }
 
+TEST_F(ImportedTexture, whose_name_is_that_of_one_in_the_file_is_not_taken_for_it) {
+  const Scene scene = import_square_obj("Kd 1 1 1\nmap_Kd *7\n");
+  EXPECT_EQ(notes_with(scene, "embedded texture 7 cannot be read: not in the file"), 1U);
+  EXPECT_TRUE(scene.textures.empty());
+}
+
 TEST_F(ImportedTexture, that_is_missing_is_noted_once_and_the_factor_used) {
   write(folder_.path / "two.mtl", "newmtl a\nKd 1 0.5 0.25\nmap_Kd absent.png\n"
                                   "newmtl b\nKd 1 1 1\nmap_Kd absent.png\n");

@@ -146,6 +146,8 @@ TEST_F(ModelImport, refuses_indices_that_are_out_of_range) {
   refuses_obj(triangle + "f -1 -2 -9\n", "broken.obj:4: index -9 is out of range");
   refuses_obj(triangle + "f 0 1 2\n", "broken.obj:4: index 0 is out of range");
   refuses_obj(triangle + "f a b c\n", "broken.obj:4: 'a' is not an index");
+  refuses_obj(triangle + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2/1/1/1 3/1/1/1\n",
+              "broken.obj:6: a face's corner has more than three indices");
 }
 
 TEST_F(ModelImport, refuses_coordinates_that_are_no_finite_floats) {
@@ -161,6 +163,10 @@ TEST_F(ModelImport, refuses_files_without_triangles) {
   refuses_obj(triangle + "v 2 0 0\nf 1 2 4\n", "no triangles");
   refuses_obj(std::string(500, '\x01'), "no triangles");
   refuses_obj("", "broken.obj");
+  nlohmann::json gltf = test::gltf();
+  gltf["nodes"][1].erase("mesh");
+  gltf.erase("meshes");
+  refuses("empty.gltf", gltf.dump(), "empty.gltf: no triangles");
 }
 
 TEST_F(ModelImport, refuses_what_it_cannot_open) {
@@ -273,6 +279,14 @@ TEST_F(ModelImport, reads_the_lights_of_a_gltf) {
   EXPECT_FLOAT_EQ(scene.lights[3].cos_inner, std::cos(0.25F));
   EXPECT_FLOAT_EQ(scene.lights[3].cos_outer, std::cos(0.5F));
   EXPECT_TRUE(scene.notes.empty());
+}
+
+TEST_F(ModelImport, leaves_out_lights_of_a_gltf_whose_kind_it_does_not_know) {
+  nlohmann::json gltf = test::gltf();
+  gltf["extensions"]["KHR_lights_punctual"]["lights"][2]["type"] = "tube";
+  const Scene scene = import("t.gltf", gltf.dump());
+  ASSERT_EQ(scene.lights.size(), 3U);
+  for (const Light& light : scene.lights) EXPECT_NE(light.kind, LightKind::spot);
 }
 
 TEST_F(ModelImport, gives_a_spot_of_a_gltf_the_formats_default_angles) {

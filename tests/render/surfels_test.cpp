@@ -179,6 +179,10 @@ TEST(Surfels, refuse_what_they_cannot_do_and_leave_the_scene_alone) {
   Scene flat = lit_room(glm::vec3(1));
   for (glm::vec3& p : flat.mesh.positions) p = {1, p.y, 1};
   refuses("surfels: no triangle has an area", flat, 5);
+  Scene bright = lit_plate({0, -1, 0});
+  bright.lights.add_directional({0, -1, 0}, glm::vec3(3e38F));
+  for (glm::vec3& p : bright.mesh.positions) p *= 1000;
+  refuses("surfels: light 0: intensity.r is inf", bright, 5);
 }
 
 } // namespace

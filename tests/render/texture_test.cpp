@@ -200,6 +200,20 @@ TEST(DecodeTexture, RefusesAnImageThatIsCutOff) {
     for (const std::size_t kept : {bytes.size() / 8, bytes.size() / 2})
       EXPECT_THROW((void)decode_texture(std::string_view(bytes).substr(0, kept), name), InputError)
           << name << " " << kept;
+  // Here the header and its table of rows are whole.
+  const std::string exr = image_bytes("exr", 32, 3, floats);
+  EXPECT_THROW((void)decode_texture(std::string_view(exr).substr(0, exr.size() - 8), "a.exr"),
+               InputError);
+}
+
+TEST(DecodeTexture, RefusesAnImageThatIsTooWide) {
+  const auto of_width = [](int width) {
+    return image_bytes("png", width, 1, std::vector<std::uint8_t>(std::size_t(width)));
+  };
+  const int most = max_texture_side;
+  EXPECT_EQ(decode_texture(of_width(most), "a.png").size(), glm::uvec2(most, 1));
+  expect_refusal("an image of 16385 x 1 x 1 pixels, expected 1 to 16384 on a side",
+                 [&] { (void)decode_texture(of_width(most + 1), "a.png"); });
 }
 
 TEST(DecodeTexture, RefusesAJpegWhoseLastRowsAreMissing) {
