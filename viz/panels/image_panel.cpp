@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <imgui.h>
 
 #include "model/value_text.h"
@@ -170,8 +171,9 @@ void ImagePanel::draw_pictures(Workbench& workbench) {
   const glm::dvec2 size(shown_.coloured().size);
   if (size.x == 0) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const ImVec2 lo = to_imgui(to_screen(view_, area_, {0, 0}));
-  const ImVec2 hi = to_imgui(to_screen(view_, area_, size));
+  glm::dvec2 corner = to_screen(view_, area_, {0, 0});
+  if (view_.zoom == 1) corner = glm::floor(corner + 0.5); // pixels upon pixels
+  const ImVec2 lo = to_imgui(corner), hi = to_imgui(corner + size * view_.zoom);
   const ImVec2 end = to_imgui(area_.origin + area_.size);
   if (!workbench.state.split || flipped_) {
     list->AddImage(texture_id(shown_.texture()), lo, hi);
