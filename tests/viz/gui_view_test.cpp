@@ -111,6 +111,18 @@ TEST(GuiView, SplitShowsTwoMethods) {
   EXPECT_TRUE(robot.state().image.fits); // the line was dragged, not the image
 }
 
+TEST(GuiView, SplitHeatMapsHaveOneScale) {
+  ViewState state = small_room();
+  state.layer = Layer::cut_size;
+  state.split = true;
+  state.compared = Method::paper;
+  Robot robot(state);
+  const Coloured& left = robot.app().image().shown().coloured();
+  const Coloured& right = robot.app().image().compared().coloured();
+  EXPECT_NE(left.statistics.largest, right.statistics.largest);
+  EXPECT_EQ(left.scale, right.scale);
+}
+
 TEST(GuiView, CameraOrbitsByRasterAndIsThenTraced) {
   Robot robot(small_room());
   const Camera before = robot.workbench().camera();

@@ -83,7 +83,7 @@ HeatMapScale scale_of(const ColourSettings& settings, const LayerStatistics& sta
 }
 
 Coloured coloured(Layer layer, const LayerValues& values, const ColourSettings& settings,
-                  std::optional<float> exposure) {
+                  std::optional<float> exposure, const std::optional<HeatMapScale>& scale) {
   Coloured result;
   result.size = values.size;
   result.pixels.assign(values.known.size(), pending_colour);
@@ -93,7 +93,7 @@ Coloured coloured(Layer layer, const LayerValues& values, const ColourSettings& 
     result.exposure = exposure ? *exposure : automatic_exposure(known_radiance(values));
     colour_image(values, result);
   } else {
-    result.scale = scale_of(settings, result.statistics);
+    result.scale = scale.value_or(scale_of(settings, result.statistics));
     colour_values(values, settings.map, result);
   }
   return result;

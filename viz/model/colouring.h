@@ -27,9 +27,11 @@ struct Coloured {
 [[nodiscard]] HeatMapScale scale_of(const ColourSettings& settings,
                                     const LayerStatistics& statistics);
 
-/// exposure: of an image where none is chosen; nothing: its own automatic_exposure().
+/// exposure: of an image where none is chosen; nothing: its own automatic_exposure(). scale: of a
+/// heat map, in place of scale_of(), as to compare two.
 [[nodiscard]] Coloured coloured(Layer layer, const LayerValues& values,
                                 const ColourSettings& settings,
-                                std::optional<float> exposure = std::nullopt);
+                                std::optional<float> exposure = std::nullopt,
+                                const std::optional<HeatMapScale>& scale = std::nullopt);
 
 } // namespace lightcuts::viz

@@ -19,7 +19,7 @@
 namespace lightcuts::viz {
 namespace {
 
-constexpr float splitter = 6, legend_width = 132;
+constexpr float splitter = 6;
 
 /// A bar that changes a share when it is dragged. length: of what is shared, pixels.
 void draw_splitter(const char* id, bool upright, float length, float& share) {
@@ -131,6 +131,7 @@ void App::adopt_scene() {
   scene_ = workbench_.scene();
   icicle_ = std::make_unique<Icicle>(scene_->topology());
   icicle_state_ = {};
+  icicle_state_.view.row_height = std::round(1.3F * ImGui::GetFontSize());
   cluster_state_ = {};
   cut_ = {};
   cut_of_.reset();
@@ -242,7 +243,7 @@ void App::draw_toolbar() {
 }
 
 void App::draw_image_row(float height) {
-  const float width = workbench_.state.layer == Layer::image ? 48 : legend_width;
+  const float width = ImGui::GetFontSize() * (workbench_.state.layer == Layer::image ? 3.4F : 9.4F);
   constexpr auto still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   ImGui::BeginChild("image", {ImGui::GetContentRegionAvail().x - width - 6, height}, false, still);
   image_.draw(workbench_);
@@ -278,7 +279,9 @@ void App::draw_status() {
       ImGui::SameLine();
     }
   }
-  if (workbench_.state.layer != Layer::image)
+  if (workbench_.state.layer == Layer::violations && n.largest == 0)
+    ImGui::Text("no violation at %llu pixels", static_cast<unsigned long long>(n.known));
+  else if (workbench_.state.layer != Layer::image)
     ImGui::TextUnformatted(
         fmt::format("mean {}  largest {}", short_text(n.mean), short_text(n.largest)).c_str());
   else

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "panels/drawing.h"
+#include "panels/gui.h"
 
 namespace lightcuts::viz {
 namespace {
@@ -60,7 +61,9 @@ void draw_counterexample_panel(Workbench& workbench) {
   draw_sides(workbench);
   ImGui::Separator();
   ImGui::BeginChild("steps", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+  push_fixed_width();
   ImGui::TextUnformatted(c.explanation.c_str());
+  ImGui::PopFont();
   ImGui::EndChild();
 }
 

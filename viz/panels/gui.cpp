@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <string>
 #include <utility>
 
 #include <GLFW/glfw3.h>
@@ -18,16 +19,13 @@ namespace {
 
 constexpr float font_size = 14;
 
-/// The font of Debian's fonts-dejavu-core; elsewhere ImGui's own, which is small but always there.
-void add_font(float scale) {
-  constexpr std::array files{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                             "/usr/share/fonts/dejavu/DejaVuSans.ttf",
-                             "/usr/share/fonts/TTF/DejaVuSans.ttf"};
+/// A font of Debian's fonts-dejavu-core; elsewhere ImGui's own, which is small but always there.
+void add_font(const std::string& name, float scale) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  for (const char* file : files)
-    if (std::filesystem::exists(file) &&
-        atlas.AddFontFromFileTTF(file, std::round(font_size * scale)) != nullptr)
-      return;
+  for (const std::string folder :
+       {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/dejavu/", "/usr/share/fonts/TTF/"})
+    if (const std::string file = folder + name + ".ttf"; std::filesystem::exists(file))
+      if (atlas.AddFontFromFileTTF(file.c_str(), std::round(font_size * scale)) != nullptr) return;
   ImFontConfig config;
   config.SizePixels = std::round(13 * scale);
   atlas.AddFontDefault(&config);
@@ -84,7 +82,8 @@ Gui::Gui(float scale) {
   io.IniFilename = nullptr; // the layout is ours: see AppSettings
   map_keys(io);
   set_style(scale);
-  add_font(scale);
+  add_font("DejaVuSans", scale);
+  add_font("DejaVuSansMono", 0.9F * scale); // the second: see push_fixed_width()
   if (!ImGui_ImplOpenGL3_Init("#version 330")) {
     ImGui::DestroyContext(context_);
     throw GlError("ImGui cannot draw by this OpenGL");
@@ -96,6 +95,8 @@ Gui::~Gui() {
   ImGui_ImplOpenGL3_Shutdown();
   ImGui::DestroyContext(context_);
 }
+
+void push_fixed_width() { ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]); }
 
 void Gui::set_screen(glm::uvec2 size, float seconds) {
   ImGuiIO& io = ImGui::GetIO();

@@ -29,4 +29,7 @@ private:
   ImGuiContext* context_;
 };
 
+/// Letters of one width, for columns, until ImGui::PopFont().
+void push_fixed_width();
+
 } // namespace lightcuts::viz

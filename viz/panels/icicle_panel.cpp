@@ -46,7 +46,7 @@ struct Canvas {
 };
 
 void swatch(ImU32 colour, const char* name) {
-  ImGui::SameLine();
+  ImGui::SameLine(0, ImGui::GetFontSize());
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float size = ImGui::GetTextLineHeight();
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.15F * size},

@@ -56,17 +56,19 @@ void ImagePanel::refresh(Workbench& workbench) {
   const DisplayMethod left = flipped_      ? DisplayMethod(Method::reference)
                              : raster_only ? DisplayMethod::raster()
                                            : workbench.state.display;
-  refresh_one(workbench, left, shown_);
-  if (workbench.state.split) refresh_one(workbench, workbench.state.compared, compared_);
+  refresh_one(workbench, left, {}, shown_);
+  // By the same scale: else the two could not be compared.
+  if (workbench.state.split)
+    refresh_one(workbench, workbench.state.compared, shown_.coloured().scale, compared_);
   view_ = settled(workbench.state.image, area_, shown_.coloured().size);
 }
 
 void ImagePanel::refresh_one(Workbench& workbench, const DisplayMethod& display,
-                             ShownPicture& into) {
+                             const std::optional<HeatMapScale>& scale, ShownPicture& into) {
   if (display.is_raster() && (workbench.state.layer == Layer::image || moving_))
     refresh_raster(workbench, into);
   else
-    into.refresh(workbench, {display, workbench.state.layer, exposure_});
+    into.refresh(workbench, {display, workbench.state.layer, exposure_, scale});
 }
 
 void ImagePanel::refresh_raster(Workbench& workbench, ShownPicture& into) {

@@ -23,6 +23,8 @@ public:
   [[nodiscard]] std::optional<glm::uvec2> hovered() const { return hovered_; }
   /// What is shown, left of the split.
   [[nodiscard]] const ShownPicture& shown() const { return shown_; }
+  /// Right of it.
+  [[nodiscard]] const ShownPicture& compared() const { return compared_; }
   /// While held, the reference is shown.
   void flip(bool held) { flipped_ = held; }
   /// Whether the rasterised picture, if any is shown, has all lights.
@@ -33,7 +35,8 @@ public:
 private:
   void refresh(Workbench& workbench);
   void refresh_raster(Workbench& workbench, ShownPicture& into);
-  void refresh_one(Workbench& workbench, const DisplayMethod& display, ShownPicture& into);
+  void refresh_one(Workbench& workbench, const DisplayMethod& display,
+                   const std::optional<HeatMapScale>& scale, ShownPicture& into);
   void handle_mouse(Workbench& workbench);
   void handle_zoom(Workbench& workbench);
   void move_camera(Workbench& workbench);

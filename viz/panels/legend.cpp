@@ -14,8 +14,10 @@
 namespace lightcuts::viz {
 namespace {
 
-constexpr double bar_width = 16, histogram_width = 34;
 constexpr int bins = 64;
+
+double bar_width() { return 1.15 * double(ImGui::GetFontSize()); }
+double histogram_width() { return 2.4 * double(ImGui::GetFontSize()); }
 
 ImU32 packed(const Rgb8& c) { return IM_COL32(c.r, c.g, c.b, 255); }
 
@@ -45,8 +47,8 @@ void Legend::draw(Workbench& workbench, const ShownPicture& shown) {
   ImGui::TextUnformatted(info(layer).unit[0] != 0 ? info(layer).unit : "value");
   tooltip(info(layer).meaning);
   origin_ = to_dvec(ImGui::GetCursorScreenPos()) + glm::dvec2(0, 0.5 * line);
-  size_ = {bar_width, std::max(8.0, double(ImGui::GetContentRegionAvail().y) - 1.2 * line)};
-  ImGui::InvisibleButton("bar", {float(bar_width + histogram_width), float(size_.y)});
+  size_ = {bar_width(), std::max(8.0, double(ImGui::GetContentRegionAvail().y) - 1.2 * line)};
+  ImGui::InvisibleButton("bar", {float(bar_width() + histogram_width()), float(size_.y)});
   drag_range(workbench, coloured);
   if (!ImGui::IsItemActive())
     tooltip("Drag the upper half to move the upper end of the range, the lower half to move the "
@@ -62,26 +64,24 @@ void Legend::draw_bar(ColourMap map) const {
     const double top = origin_.y + size_.y * (1 - double(i + 1) / bins);
     const double bottom = origin_.y + size_.y * (1 - double(i) / bins);
     list->AddRectFilled({float(origin_.x), float(top)},
-                        {float(origin_.x + bar_width), float(bottom) + 0.5F},
+                        {float(origin_.x + bar_width()), float(bottom) + 0.5F},
                         packed(heat_colour((float(i) + 0.5F) / bins, {}, map)));
   }
 }
 
 void Legend::draw_histogram(const ShownPicture& shown) {
   const HeatMapScale& scale = shown.coloured().scale;
-  const bool same_scale = scale.lo == bars_scale_.lo && scale.hi == bars_scale_.hi &&
-                          scale.logarithmic == bars_scale_.logarithmic;
-  if (bars_version_ != shown.version() || !same_scale) {
+  if (bars_version_ != shown.version() || !(scale == bars_scale_)) {
     bars_version_ = shown.version();
     bars_scale_ = scale;
     bars_ = bars_of(shown.values(), scale);
   }
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const double left = origin_.x + bar_width + 3;
+  const double left = origin_.x + bar_width() + 3;
   for (int i = 0; i < bins; ++i) {
     if (bars_[std::size_t(i)] <= 0) continue;
     const double top = origin_.y + size_.y * (1 - double(i + 1) / bins);
-    const double length = std::max(1.0, (histogram_width - 4) * std::sqrt(bars_[std::size_t(i)]));
+    const double length = std::max(1.0, (histogram_width() - 4) * std::sqrt(bars_[std::size_t(i)]));
     list->AddRectFilled({float(left), float(top)},
                         {float(left + length), float(top + size_.y / bins)},
                         IM_COL32(150, 152, 165, 255));
@@ -91,11 +91,11 @@ void Legend::draw_histogram(const ShownPicture& shown) {
 void Legend::draw_numbers(Layer layer, const Coloured& coloured) const {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const HeatMapScale& scale = coloured.scale;
-  const float x = float(origin_.x + bar_width + histogram_width + 4);
+  const float x = float(origin_.x + bar_width() + histogram_width() + 4);
   for (const double tick : nice_ticks(scale.lo, scale.hi, 7, scale.logarithmic)) {
     if (info(layer).whole_numbers && tick != std::floor(tick)) continue;
     const float y = float(origin_.y + size_.y * (1 - fraction_of(float(tick), scale)));
-    list->AddLine({float(origin_.x + bar_width), y}, {float(origin_.x + bar_width) + 4, y},
+    list->AddLine({float(origin_.x + bar_width()), y}, {float(origin_.x + bar_width()) + 4, y},
                   IM_COL32(230, 230, 235, 255));
     list->AddText({x, y - ImGui::GetTextLineHeight() / 2}, IM_COL32(220, 220, 228, 255),
                   short_text(float(tick)).c_str());
@@ -133,7 +133,7 @@ void Legend::draw_exposure(Workbench& workbench, const Coloured& coloured) const
   float stops = std::log2(coloured.exposure);
   const float height = std::max(40.0F, ImGui::GetContentRegionAvail().y - 4);
   ImGui::PushID("exposure");
-  if (ImGui::VSliderFloat("##stops", {22, height}, &stops, -20, 20, "", 0))
+  if (ImGui::VSliderFloat("##stops", {1.6F * ImGui::GetFontSize(), height}, &stops, -20, 20, "", 0))
     colours.exposure = std::exp2(stops);
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) colours.exposure.reset();
   tooltip(fmt::format("exposure {:.3g} = 2^{:.2f}", coloured.exposure, stops).c_str());

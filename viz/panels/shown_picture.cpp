@@ -14,7 +14,8 @@ bool is_complete(const LayerSources& sources) {
 void ShownPicture::refresh(Workbench& workbench, const Wish& wish) {
   const LayerSources sources = workbench.sources(wish.display, wish.layer);
   const Identity identity{sources.frame.get(), sources.reference.get(), sources.truth.get(),
-                          wish.layer,          workbench.state.colours, wish.exposure};
+                          wish.layer,          workbench.state.colours, wish.exposure,
+                          wish.scale};
   const std::uint64_t source_version = version_of(wish.layer, sources);
   const bool same = identity == identity_ && version_ > 0;
   if (same && source_version == source_version_) return;
@@ -23,23 +24,24 @@ void ShownPicture::refresh(Workbench& workbench, const Wish& wish) {
   identity_ = identity;
   source_version_ = source_version;
   values_ = layer_values(wish.layer, sources);
-  show(wish.layer, workbench.state.colours, wish.exposure);
+  show();
 }
 
 void ShownPicture::refresh(const std::vector<glm::vec3>& image, glm::uvec2 size,
                            std::uint64_t version, const ColourSettings& colours,
                            std::optional<float> exposure) {
-  const Identity identity{&image, nullptr, nullptr, Layer::image, colours, exposure};
+  const Identity identity{&image, nullptr, nullptr, Layer::image, colours, exposure, {}};
   if (identity == identity_ && version_ > 0 && version == source_version_) return;
   identity_ = identity;
   source_version_ = version;
   values_ = {
       size, image, {}, std::vector<char>(image.size(), 1), std::vector<char>(image.size(), 1)};
-  show(Layer::image, colours, exposure);
+  show();
 }
 
-void ShownPicture::show(Layer layer, const ColourSettings& colours, std::optional<float> exposure) {
-  coloured_ = viz::coloured(layer, values_, colours, exposure);
+void ShownPicture::show() {
+  coloured_ = viz::coloured(identity_.layer, values_, identity_.colours, identity_.exposure,
+                            identity_.scale);
   texture_.upload(coloured_.size, coloured_.pixels);
   made_ = Clock::now();
   ++version_;

@@ -19,6 +19,7 @@ public:
     DisplayMethod display;
     Layer layer = Layer::image;
     std::optional<float> exposure;
+    std::optional<HeatMapScale> scale = {}; ///< of heat maps, in place of what settings say
   };
 
   /// Of the library's methods.
@@ -46,10 +47,11 @@ private:
     Layer layer = Layer::image;
     ColourSettings colours;
     std::optional<float> exposure;
+    std::optional<HeatMapScale> scale;
     bool operator==(const Identity&) const = default;
   };
 
-  void show(Layer layer, const ColourSettings& colours, std::optional<float> exposure);
+  void show();
 
   Identity identity_;
   std::uint64_t source_version_ = 0, version_ = 0;

@@ -31,6 +31,8 @@ struct HeatMapScale {
   float lo = 0;             ///< the darkest colour, for this value and those below
   float hi = 1;             ///< the brightest colour, for this value and those above
   bool logarithmic = false; ///< equal ratios, not equal differences, get equal steps; needs lo > 0
+
+  bool operator==(const HeatMapScale&) const = default;
 };
 
 /// Where `value` lies on the scale: 0 at lo, 1 at hi, clamped. Where lo = hi: 0 up to lo, 1 above.
