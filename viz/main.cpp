@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
-#include <memory>
+#include <filesystem>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "gl/gl_error.h"
 #include "options.h"
@@ -28,8 +29,17 @@ void require_scene(Workbench& workbench) {
   if (!workbench.scene()) throw InputError("nothing to show");
 }
 
+/// Known before the work, not after.
+void require_writable(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const bool exists = std::filesystem::exists(file);
+  if (std::filesystem::is_directory(file) || ::access((exists ? file : folder).c_str(), W_OK) != 0)
+    throw InputError(file.string() + ": cannot be written");
+}
+
 int take_screenshot(const Options& options) {
   const std::filesystem::path file = options.screenshot;
+  require_writable(file);
   Offscreen offscreen(options.window_size(), options.scale.value_or(1), {}, options.out);
   begin(offscreen.app(), options);
   const bool complete = offscreen.settle(options.wait);
