@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <lightcuts/stochastic_cut.h>
 
+#include "counterexample_file.h"
 #include "small_pictures.h"
 
 namespace lightcuts::viz {
@@ -100,6 +101,18 @@ TEST(CutConfigOf, KnowsWhereNothingOccludes) {
   const auto open = opened("cloud?lights=20&blocks=0", {8, 6});
   ASSERT_FALSE(open->view().may_occlude());
   EXPECT_TRUE(cut_config({}, *open, open->view()).unoccluded);
+}
+
+TEST(CutConfigOf, IsThatOfACounterexample) {
+  oracle::Counterexample c = counterexample_of(broken_bound);
+  c.on.cut.threshold = 0.125F;
+  c.on.cut.black_level = 0.5F;
+  for (const bool unoccluded : {false, true}) {
+    c.on.cut.unoccluded = unoccluded;
+    const auto scene = CounterexampleFile(broken_bound, c).open();
+    EXPECT_EQ(cut_config({}, *scene, scene->view()),
+              (CutConfig{0.125F, default_max_cut, 0.5F, unoccluded}));
+  }
 }
 
 } // namespace

@@ -33,8 +33,10 @@ private:
 
 CutConfig cut_config(const ShadingSettings& settings, const OpenedScene& scene,
                      const SceneView& view) {
+  const auto& c = scene.counterexample();
+  const bool may_be_open = !c || c->saved.counterexample.on.cut.unoccluded;
   return {settings.threshold.value_or(scene.default_threshold()), settings.max_cut,
-          scene.black_level(), !scene.counterexample() && !view.may_occlude()};
+          scene.black_level(), may_be_open && !view.may_occlude()};
 }
 
 ChosenRules rules_of(Method method, const ShadingSettings& settings) {
