@@ -125,6 +125,7 @@ TEST(Picture, MayBeLookedAtWhileItIsMade) {
   std::uint64_t version = 0;
   bool complete = false;
   while (!complete) {
+    std::this_thread::sleep_for(std::chrono::microseconds(100)); // let the maker have its turn
     complete = picture.complete();
     EXPECT_GE(picture.share(), share);
     EXPECT_GE(picture.version(), version);

@@ -55,8 +55,9 @@ std::shared_ptr<P> made(const FrameKey& key) {
 template <class P>
 std::shared_ptr<P> begun(const FrameKey& key) {
   auto picture = std::make_shared<P>(key);
-  const double coarse = 1.0 / (Picture::steps[0] * Picture::steps[0]);
-  picture->advance([&] { return picture->share() >= coarse; });
+  const glm::uvec2 coarse = (picture->size() + (Picture::steps[0] - 1)) / Picture::steps[0];
+  const double share = double(coarse.x) * coarse.y / double(picture->pixel_count());
+  picture->advance([&] { return picture->share() >= share; });
   return picture;
 }
 
