@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 #include <lightcuts/input_error.h>
+#include <lightcuts/render/camera.h>
 #include <lightcuts/render/open_scene.h>
 #include <nlohmann/json.hpp>
 
@@ -139,6 +140,11 @@ Camera camera(const Json& json) {
       c.vertical_fov = number(value, 1e-3, 179.99);
     else
       throw Fault{fmt::format("'{}' is unknown", key)};
+  }
+  try {
+    (void)PinholeView(c, glm::uvec2(1));
+  } catch (const InputError& error) {
+    throw Fault{error.what()};
   }
   return c;
 }
