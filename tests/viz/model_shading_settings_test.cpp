@@ -10,13 +10,6 @@
 namespace lightcuts::viz {
 namespace {
 
-/// The point of a pixel of the small scene, and what of its lights is seen.
-struct At {
-  VisiblePoint p;
-  explicit At(glm::uvec2 pixel) : p(*small_scene()->view().at(pixel)) {}
-  bool operator()(std::uint32_t light) const { return small_scene()->view().casts_to(p, light); }
-};
-
 void expect_same(const Cut& a, const Cut& b) {
   EXPECT_EQ(a.radiance, b.radiance);
   EXPECT_EQ(a.certified_error, b.certified_error);
@@ -35,8 +28,8 @@ void expect_cuts_by(Method method, const ShadingSettings& settings = {}) {
   SCOPED_TRACE(name_of(method));
   const auto tree = tree_for(method, settings, *small_scene());
   BasicCutSelector<Rules> select(*small_scene()->tree(), config);
-  for (const glm::uvec2 pixel : {glm::uvec2(16, 12), {3, 20}, {30, 5}}) {
-    const At at(pixel);
+  for (const glm::uvec2 pixel : some_pixels) {
+    const SmallPoint at(pixel);
     expect_same(tree->select(at.p.point, config, at), select(at.p.point, at));
   }
 }
@@ -69,7 +62,7 @@ void expect_draws_by(Method method, std::uint64_t seed) {
   settings.seed = seed;
   const auto first = tree_for(method, settings, *small_scene());
   const auto other = first->for_another_thread();
-  const At at({16, 12});
+  const SmallPoint at({16, 12});
   for (oracle::SubjectTree* tree : {first.get(), other.get()})
     for (const std::uint64_t query : {0U, 400U, 77U}) {
       BasicStochasticCutSelector<LightcutsRules, Importance> select(*small_scene()->tree(), config,

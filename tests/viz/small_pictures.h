@@ -28,6 +28,16 @@ inline const std::shared_ptr<const OpenedScene>& small_scene() {
   return scene;
 }
 
+/// What a pixel of it shows, and which lights are seen there.
+struct SmallPoint {
+  VisiblePoint p;
+  explicit SmallPoint(glm::uvec2 pixel) : p(*small_scene()->view().at(pixel)) {}
+  bool operator()(std::uint32_t light) const { return small_scene()->view().casts_to(p, light); }
+};
+
+/// Some that see surfaces.
+inline constexpr glm::uvec2 some_pixels[] = {{16, 12}, {3, 20}, {30, 5}, {9, 22}};
+
 /// Cuts wherever there could be any.
 inline ShadingSettings always_cuts() {
   ShadingSettings settings;
