@@ -140,6 +140,20 @@ TEST(WorkbenchOpening, SaysSoWhereTheFirstSceneFails) {
   EXPECT_NE(bench.scene(), nullptr);
 }
 
+TEST(WorkbenchOpening, OpensWhatIsAskedForWhileAnotherFails) {
+  SmallWorkbench bench;
+  settle(bench);
+  bench.open("nonsense");
+  bench.update();
+  ASSERT_TRUE(comes_true([&] { return !bench.opening(); }));
+  OpenRequest other = small_request();
+  other.spec = "cloud?lights=7&blocks=0";
+  bench.state.open = other; // before the window has heard of the failure
+  settle(bench);
+  EXPECT_EQ(bench.scene()->request(), other);
+  EXPECT_THAT(bench.messages(), SizeIs(1));
+}
+
 TEST(WorkbenchOpening, ForgetsTheSelection) {
   SmallWorkbench bench;
   bench.state.pixel = some_pixels[0];

@@ -82,7 +82,8 @@ void Workbench::take_opened() {
   }
   if (!failure.empty()) {
     say(failure, true);
-    if (scene_) asked_to_open_ = state.open = scene_->request();
+    // Unless another one has been asked for since.
+    if (scene_ && asked_to_open_ == state.open) asked_to_open_ = state.open = scene_->request();
   }
   if (opened) adopt(opened);
 }
