@@ -47,6 +47,21 @@ TEST(WorkbenchInspection, FollowsTheStateAndEndsWithTheSelection) {
   EXPECT_EQ(bench.inspection(), nullptr);
 }
 
+TEST(WorkbenchInspection, OfTheReferenceIsWhatLightcutsWouldPick) {
+  SmallWorkbench bench;
+  bench.state.pixel = some_pixels[0];
+  bench.state.shading.threshold = 0.3F;
+  bench.state.shading.max_cut = 77;
+  bench.state.shading.rules.bound_rule = BoundRule::product;
+  settle(bench);
+  const auto expected = bench.inspection();
+  bench.state.display = Method::reference;
+  settle(bench);
+  EXPECT_EQ(bench.inspection()->inspection.config, expected->inspection.config);
+  EXPECT_EQ(bench.inspection()->inspection.radiance, expected->inspection.radiance);
+  EXPECT_EQ(bench.inspection()->inspection.final_size, expected->inspection.final_size);
+}
+
 TEST(WorkbenchInspection, HasARowOfEveryCluster) {
   SmallWorkbench bench;
   bench.state.pixel = some_pixels[0];

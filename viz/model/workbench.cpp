@@ -15,6 +15,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// The reference has no cut: that of lightcuts is looked at, by the chosen settings.
+Method inspected_method(const DisplayMethod& display) {
+  return display.method() == Method::reference ? Method::lightcuts : display.method();
+}
+
 } // namespace
 
 Workbench::Workbench() = default;
@@ -158,7 +163,7 @@ void Workbench::ask_for_pictures() {
 void Workbench::ask_for_inspection() {
   std::optional<InspectionKey> key;
   if (state.pixel && !holds_pictures)
-    key = InspectionKey{key_of(state.display.method()), *state.pixel, state.step};
+    key = InspectionKey{key_of(inspected_method(state.display)), *state.pixel, state.step};
   if (key == asked_inspection_) return;
   asked_inspection_ = key;
   if (!key) {
