@@ -197,5 +197,17 @@ TEST(WorkbenchOpening, SelectsWhereACounterexampleFails) {
   EXPECT_EQ(bench.selected_row()->bound, bench.scene()->counterexample()->bound);
 }
 
+TEST(WorkbenchOpening, KeepsASelectionInACounterexampleThatWasAskedForWithIt) {
+  const CounterexampleFile file(broken_bound, counterexample_of(broken_bound));
+  Workbench bench;
+  bench.state.display = DisplayMethod::raster();
+  bench.state.open.spec = file.path();
+  bench.state.node = 1;
+  bench.state.pixel = {3, 4};
+  settle(bench);
+  EXPECT_EQ(bench.state.node, 1U);
+  EXPECT_EQ(bench.state.pixel, glm::uvec2(3, 4));
+}
+
 } // namespace
 } // namespace lightcuts::viz

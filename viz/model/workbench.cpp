@@ -103,8 +103,8 @@ void Workbench::adopt(const std::shared_ptr<const OpenedScene>& scene) {
     const auto& counterexample = c->saved.counterexample;
     state.shading.threshold = counterexample.on.cut.threshold;
     state.shading.max_cut = counterexample.on.cut.max_size;
-    state.pixel = scene->scene().image_size / 2U;
-    state.node = c->node;
+    if (!state.pixel) state.pixel = scene->scene().image_size / 2U;
+    if (!state.node) state.node = c->node;
   }
 }
 
