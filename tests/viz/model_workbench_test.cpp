@@ -154,6 +154,16 @@ TEST(WorkbenchOpening, OpensWhatIsAskedForWhileAnotherFails) {
   EXPECT_THAT(bench.messages(), SizeIs(1));
 }
 
+TEST(WorkbenchOpening, IsBusyUntilTheWindowHasWhatWasOpened) {
+  SmallWorkbench bench;
+  bench.update();
+  ASSERT_TRUE(comes_true([&] { return !bench.opening(); }));
+  EXPECT_TRUE(bench.busy());
+  bench.open("nonsense");
+  settle(bench);
+  EXPECT_FALSE(bench.busy());
+}
+
 TEST(WorkbenchOpening, ForgetsTheSelection) {
   SmallWorkbench bench;
   bench.state.pixel = some_pixels[0];

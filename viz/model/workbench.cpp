@@ -49,7 +49,13 @@ bool Workbench::busy() const {
   const bool inspecting =
       asked_inspection_ &&
       (!inspection_ || !(inspection_->key == *asked_inspection_) || !inspection_->complete);
-  return opener_.busy() || queue_.busy() || inspector_.busy() || inspecting || reporter_.busy();
+  return opener_.busy() || queue_.busy() || inspector_.busy() || inspecting || reporter_.busy() ||
+         handover_->waits();
+}
+
+bool Workbench::Handover::waits() {
+  const std::lock_guard lock(mutex);
+  return scene || inspection || report || !open_failure.empty() || !report_failure.empty();
 }
 
 // ---- opening

@@ -124,6 +124,9 @@ private:
     std::shared_ptr<const InspectionResult> inspection;
     std::optional<ReportResult> report;
     std::string report_failure;
+
+    /// Whether update() has not taken all of it yet.
+    [[nodiscard]] bool waits();
   };
   std::shared_ptr<Handover> handover_ = std::make_shared<Handover>();
 
