@@ -65,6 +65,21 @@ TEST(FilmOf, IsNotANumberWhereNothingIsKnown) {
   for (const float v : film.channel("R")) EXPECT_TRUE(std::isnan(v));
 }
 
+TEST(FilmOf, HasNoPixelInPlaceOfAnother) {
+  SmallWorkbench bench;
+  bench.holds_pictures = true;
+  settle(bench);
+  const auto frame =
+      std::const_pointer_cast<Frame>(bench.sources(Method::lightcuts, Layer::image).frame);
+  frame->advance([&] { return frame->share() >= 4.0 / (32 * 24); });
+  const Film film = film_of(bench);
+  for (unsigned i = 0; i < 32 * 24; ++i) {
+    const bool coarse = i % 32 % 16 == 0 && i / 32 % 16 == 0;
+    EXPECT_EQ(!std::isnan(film.channel("R")[i]), coarse) << i;
+    EXPECT_EQ(!std::isnan(film.channel("cut-size")[i]), coarse) << i;
+  }
+}
+
 TEST(SaveView, WritesThePictureTheNumbersAndTheState) {
   const TemporaryFolder folder;
   SmallWorkbench bench;
