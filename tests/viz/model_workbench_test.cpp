@@ -219,5 +219,16 @@ TEST(WorkbenchOpening, KeepsASelectionInACounterexampleThatWasAskedForWithIt) {
   EXPECT_EQ(bench.state.pixel, glm::uvec2(3, 4));
 }
 
+TEST(WorkbenchOpening, LeavesACounterexamplesThresholdBehind) {
+  const CounterexampleFile file(broken_bound, counterexample_of(broken_bound));
+  Workbench bench;
+  bench.state.display = DisplayMethod::raster();
+  bench.open(file.path());
+  settle(bench);
+  bench.open(small_spec);
+  EXPECT_FALSE(bench.state.shading.threshold);
+  EXPECT_EQ(bench.state.shading.max_cut, default_max_cut);
+}
+
 } // namespace
 } // namespace lightcuts::viz

@@ -27,6 +27,10 @@ Workbench::~Workbench() = default;
 
 void Workbench::open(const std::string& spec) {
   state.open = {.spec = spec};
+  if (scene_ && scene_->counterexample()) {
+    state.shading.threshold.reset();
+    state.shading.max_cut = default_max_cut;
+  }
   state.camera.reset();
   state.pixel.reset();
   state.node.reset();
