@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <lightcuts/input_error.h>
@@ -43,9 +44,9 @@ AppSettings read(const std::string& text) {
 
 } // namespace
 
-void AppSettings::remember(const std::string& scene) {
+void AppSettings::remember(std::string scene) {
   recent.erase(std::remove(recent.begin(), recent.end(), scene), recent.end());
-  recent.insert(recent.begin(), scene);
+  recent.insert(recent.begin(), std::move(scene));
   if (recent.size() > most_recent) recent.resize(most_recent);
 }
 

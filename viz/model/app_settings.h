@@ -20,8 +20,8 @@ struct AppSettings {
   ColourMap colour_map = ColourMap::inferno;
   std::vector<std::string> recent; ///< scenes, the latest first
 
-  /// Puts the scene first.
-  void remember(const std::string& scene);
+  /// Puts the scene first; it may be one of `recent`.
+  void remember(std::string scene);
   bool operator==(const AppSettings&) const = default;
 };
 

@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace lightcuts::viz {
 namespace {
+
+/// Farther from the origin, metres, floats leave no room for a camera.
+constexpr float farthest = 1e15F;
 
 /// Half the square's side: of the order of the distance to the nearest light, within what floats
 /// around the point can tell apart.
@@ -56,7 +60,8 @@ Scene scene_of_case(const oracle::Case& on, std::size_t view) {
   Scene scene;
   scene.lights = on.light_set();
   scene.image_size = {320, 240};
-  const gen::View& shown = on.views[view].view;
+  gen::View shown = on.views[view].view;
+  shown.position = glm::clamp(shown.position, -farthest, farthest);
   const float side = half_side(on, shown.position);
   add_square(scene, shown, side);
   scene.camera = camera_for(shown, side);

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include <glm/geometric.hpp>
+#include <lightcuts/exact_dot.h>
 #include <lightcuts/oracle/clairvoyant.h>
 #include <lightcuts/oracle/point_properties.h>
 
@@ -34,6 +35,12 @@ public:
   [[nodiscard]] const OpenedScene& scene() const { return scene_; }
   [[nodiscard]] bool sees(std::uint32_t light) const {
     return scene_.counterexample() ? !hidden_.contains(light) : view_.sees(*visible_, light);
+  }
+  /// As cuts have it: a light below the horizon counts as seen.
+  [[nodiscard]] bool counts_as_seen(std::uint32_t light) const {
+    const Light& l = scene_.scene().lights[light];
+    const glm::vec3 from = viewed_from(l.kind, point().position());
+    return dot_between(point().normal(), from, l.position) <= 0 || sees(light);
   }
   [[nodiscard]] CutConfig config() const { return cut_config(key_.frame.settings, scene_, view_); }
   [[nodiscard]] std::unique_ptr<oracle::SubjectTree> tree() const {
@@ -157,6 +164,19 @@ void describe_point(const Place& place, Inspection& inspection) {
   inspection.emission = place.visible().emission;
 }
 
+/// As it is in a cut: a single light has no error.
+CutCluster cluster_of(const Place& place, oracle::SubjectTree& tree, std::uint32_t node) {
+  const oracle::Topology& topology = place.scene().topology();
+  const std::uint32_t representative = topology.representative(node);
+  const glm::vec3 bound = tree.bound(node, place.point());
+  CutCluster cluster{node, true, glm::dvec3(0), bound};
+  if (topology.light_count(node) == 1) cluster.bound = glm::vec3(0);
+  cluster.visible =
+      representative == oracle::TreeClaim::unsaid || place.counts_as_seen(representative);
+  if (cluster.visible) cluster.estimate = tree.estimate(node, place.point(), bound);
+  return cluster;
+}
+
 double sum(const glm::dvec3& v) { return v.x + v.y + v.z; }
 
 /// What is true at the place, of all clusters.
@@ -250,11 +270,7 @@ std::optional<ClusterRow> row_of(const InspectionKey& key, std::uint32_t node) {
   const oracle::Topology& topology = place.scene().topology();
   if (!place.sees_surface() || node >= topology.size()) return std::nullopt;
   const auto tree = place.tree();
-  const std::uint32_t representative = topology.representative(node);
-  CutCluster cluster{node, true, glm::dvec3(0), glm::vec3(0)};
-  cluster.bound = tree->bound(node, place.point());
-  cluster.visible = representative == oracle::TreeClaim::unsaid || place.sees(representative);
-  if (cluster.visible) cluster.estimate = tree->estimate(node, place.point(), cluster.bound);
+  const CutCluster cluster = cluster_of(place, *tree, node);
   const Cut cut = place.cut(*tree, place.config().max_size);
   return row_for(place, cluster, place.config(), total_of(cut));
 }

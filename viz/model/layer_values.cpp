@@ -96,6 +96,7 @@ LayerValues layer_values(Layer layer, const LayerSources& sources) {
   LayerValues result;
   result.size = sources.frame->size();
   result.known.assign(from.size(), 0);
+  result.own.assign(from.size(), 0);
   result.surface.assign(from.size(), 0);
   if (layer == Layer::image)
     result.image.assign(from.size(), glm::vec3(0));
@@ -106,6 +107,7 @@ LayerValues layer_values(Layer layer, const LayerSources& sources) {
     const std::uint32_t source = from[i];
     if (source == Picture::unknown) continue;
     result.known[i] = 1;
+    result.own[i] = source == i;
     if (layer == Layer::image) {
       result.image[i] = picture.radiance[source] + picture.emission[source];
       result.surface[i] = picture.cut_size[source] > 0;

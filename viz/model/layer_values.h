@@ -30,6 +30,7 @@ struct LayerValues {
   std::vector<glm::vec3> image; ///< of Layer::image: radiance and emission
   std::vector<float> values;    ///< of any other layer
   std::vector<char> known;      ///< per pixel, whether it, or one in its stead, is
+  std::vector<char> own;        ///< per pixel, whether it is known itself
   std::vector<char> surface;    ///< per pixel, whether it sees one
 };
 

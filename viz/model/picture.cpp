@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
 
-#include <chrono>
 #include <exception>
 
 namespace lightcuts::viz {
@@ -9,13 +8,7 @@ namespace lightcuts::viz {
 Picture::Picture(glm::uvec2 size) : size_(size), known_(pixel_count(), 0) {}
 
 void Picture::advance(const std::function<bool()>& cancelled) {
-  using Clock = std::chrono::steady_clock;
-  const double before = seconds();
-  const auto start = Clock::now();
-  const auto keep_time = [&] {
-    const std::lock_guard lock(mutex_);
-    seconds_ = before + std::chrono::duration<double>(Clock::now() - start).count();
-  };
+  run_clock(true);
   try {
     for (const unsigned step : steps) {
       if (cancelled()) break;
@@ -26,14 +19,24 @@ void Picture::advance(const std::function<bool()>& cancelled) {
             return on_grid(p) && known_[std::size_t(p.y) * size_.x + p.x] == 0;
           },
           [&] { return cancelled(); });
-      keep_time();
     }
   } catch (const std::exception& error) {
     const std::lock_guard lock(mutex_);
     failure_ = error.what();
     ++version_;
   }
-  keep_time();
+  run_clock(false);
+}
+
+void Picture::run_clock(bool on) {
+  const std::lock_guard lock(mutex_);
+  seconds_ = spent();
+  running_ = on ? std::optional(Clock::now()) : std::nullopt;
+}
+
+double Picture::spent() const {
+  const auto now = running_ ? Clock::now() - *running_ : Clock::duration(0);
+  return seconds_ + std::chrono::duration<double>(now).count();
 }
 
 void Picture::done(const PixelRect& rect) {
@@ -60,13 +63,13 @@ bool Picture::complete() const {
 
 double Picture::seconds() const {
   const std::lock_guard lock(mutex_);
-  return seconds_;
+  return spent();
 }
 
 std::optional<double> Picture::seconds_left() const {
-  const double done = share(), spent = seconds();
-  if (done <= 0 || spent <= 0) return std::nullopt;
-  return spent * (1 - done) / done;
+  const double done = share();
+  if (done <= 0) return std::nullopt;
+  return seconds() * (1 - done) / done;
 }
 
 std::string Picture::failure() const {

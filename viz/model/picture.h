@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -39,7 +40,7 @@ public:
   [[nodiscard]] bool complete() const;
   /// Grows with whatever becomes known.
   [[nodiscard]] std::uint64_t version() const { return version_; }
-  /// Spent so far, wall time.
+  /// Spent so far, wall time; grows while it is being made.
   [[nodiscard]] double seconds() const;
   /// Until it is complete, as it went so far; nothing before there is anything to go by.
   [[nodiscard]] std::optional<double> seconds_left() const;
@@ -61,6 +62,10 @@ protected:
   void done(const PixelRect& rect);
 
 private:
+  using Clock = std::chrono::steady_clock;
+
+  void run_clock(bool on);
+  [[nodiscard]] double spent() const;
   [[nodiscard]] std::uint32_t nearest_known(glm::uvec2 pixel) const;
   [[nodiscard]] bool on_grid(glm::uvec2 pixel) const {
     return pixel.x % step_ == 0 && pixel.y % step_ == 0;
@@ -70,7 +75,8 @@ private:
   mutable std::mutex mutex_;
   std::vector<char> known_;
   std::size_t known_count_ = 0;
-  double seconds_ = 0;
+  double seconds_ = 0;                       ///< until the clock began to run
+  std::optional<Clock::time_point> running_; ///< since then; nothing: it stands
   std::string failure_;
   std::atomic<std::uint64_t> version_ = 0;
   unsigned step_ = 1; ///< of the pass; only changes between passes

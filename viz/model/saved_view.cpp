@@ -16,14 +16,14 @@ void add_image(const LayerValues& layer, Film& film) {
   for (int c = 0; c < 3; ++c) {
     const auto channel = film.channel(std::string(1, "RGB"[c]));
     for (std::size_t i = 0; i < channel.size(); ++i)
-      channel[i] = layer.known[i] != 0 ? layer.image[i][c] : nan;
+      channel[i] = layer.own[i] != 0 ? layer.image[i][c] : nan;
   }
 }
 
 void add_values(const char* name, const LayerValues& layer, Film& film) {
   const auto channel = film.channel(name);
   for (std::size_t i = 0; i < channel.size(); ++i)
-    channel[i] = layer.known[i] != 0 ? layer.values[i] : nan;
+    channel[i] = layer.own[i] != 0 ? layer.values[i] : nan;
 }
 
 bool is_known(Layer layer, const LayerSources& sources) {

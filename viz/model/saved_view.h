@@ -12,7 +12,8 @@
 namespace lightcuts::viz {
 
 /// The layers of the display as far as anything of them is known: R G B and, by their names, the
-/// others. What is not known is NaN. Metadata: scene, method, threshold, version.
+/// others. What is not known is NaN, however it is shown. Metadata: scene, method, threshold,
+/// version.
 [[nodiscard]] Film film_of(Workbench& workbench);
 
 /// Writes NAME.png (what is given: the layer that is shown, in its colours), NAME.exr (film_of())

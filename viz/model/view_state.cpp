@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 #include <lightcuts/input_error.h>
+#include <lightcuts/render/camera.h>
 #include <lightcuts/render/open_scene.h>
 #include <nlohmann/json.hpp>
 
@@ -56,11 +57,15 @@ struct Fault {
   std::string what;
 };
 
-float number(const Json& json, double least, double most) {
+double wide(const Json& json, double least, double most) {
   const double value = json.is_number() ? json.get<double>() : NAN;
   if (!(value >= least && value <= most))
     throw Fault{fmt::format("expected a number from {} to {}", least, most)};
-  return static_cast<float>(value);
+  return value;
+}
+
+float number(const Json& json, double least, double most) {
+  return static_cast<float>(wide(json, least, most));
 }
 
 template <class Integer>
@@ -95,7 +100,7 @@ const Json& list(const Json& json, std::size_t size) {
   return json;
 }
 
-constexpr double largest = std::numeric_limits<float>::max();
+constexpr double largest = 3.4028235e38; // the largest float as decimal() writes it
 
 glm::vec3 vector(const Json& json) {
   list(json, 3);
@@ -135,6 +140,11 @@ Camera camera(const Json& json) {
       c.vertical_fov = number(value, 1e-3, 179.99);
     else
       throw Fault{fmt::format("'{}' is unknown", key)};
+  }
+  try {
+    (void)PinholeView(c, glm::uvec2(1));
+  } catch (const InputError& error) {
+    throw Fault{error.what()};
   }
   return c;
 }
@@ -199,12 +209,12 @@ const std::map<std::string, Reader>& readers() {
       {"zoom",
        [](const Json& j, ViewState& s) {
          s.image.fits = false;
-         s.image.zoom = number(j, min_zoom, max_zoom);
+         s.image.zoom = wide(j, min_zoom, max_zoom);
        }},
       {"centre",
        [](const Json& j, ViewState& s) {
          list(j, 2);
-         s.image.centre = {number(j[0], -largest, largest), number(j[1], -largest, largest)};
+         s.image.centre = {wide(j[0], -largest, largest), wide(j[1], -largest, largest)};
        }},
       {"camera", [](const Json& j, ViewState& s) { s.camera = camera(j); }},
   };

@@ -15,6 +15,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// The reference has no cut: that of lightcuts is looked at, by the chosen settings.
+Method inspected_method(const DisplayMethod& display) {
+  return display.method() == Method::reference ? Method::lightcuts : display.method();
+}
+
 } // namespace
 
 Workbench::Workbench() = default;
@@ -22,6 +27,10 @@ Workbench::~Workbench() = default;
 
 void Workbench::open(const std::string& spec) {
   state.open = {.spec = spec};
+  if (scene_ && scene_->counterexample()) {
+    state.shading.threshold.reset();
+    state.shading.max_cut = default_max_cut;
+  }
   state.camera.reset();
   state.pixel.reset();
   state.node.reset();
@@ -44,7 +53,13 @@ bool Workbench::busy() const {
   const bool inspecting =
       asked_inspection_ &&
       (!inspection_ || !(inspection_->key == *asked_inspection_) || !inspection_->complete);
-  return opener_.busy() || queue_.busy() || inspector_.busy() || inspecting || reporter_.busy();
+  return opener_.busy() || queue_.busy() || inspector_.busy() || inspecting || reporter_.busy() ||
+         handover_->waits();
+}
+
+bool Workbench::Handover::waits() {
+  const std::lock_guard lock(mutex);
+  return scene || inspection || report || !open_failure.empty() || !report_failure.empty();
 }
 
 // ---- opening
@@ -82,7 +97,8 @@ void Workbench::take_opened() {
   }
   if (!failure.empty()) {
     say(failure, true);
-    if (scene_) asked_to_open_ = state.open = scene_->request();
+    // Unless another one has been asked for since.
+    if (scene_ && asked_to_open_ == state.open) asked_to_open_ = state.open = scene_->request();
   }
   if (opened) adopt(opened);
 }
@@ -97,8 +113,8 @@ void Workbench::adopt(const std::shared_ptr<const OpenedScene>& scene) {
     const auto& counterexample = c->saved.counterexample;
     state.shading.threshold = counterexample.on.cut.threshold;
     state.shading.max_cut = counterexample.on.cut.max_size;
-    state.pixel = scene->scene().image_size / 2U;
-    state.node = c->node;
+    if (!state.pixel) state.pixel = scene->scene().image_size / 2U;
+    if (!state.node) state.node = c->node;
   }
 }
 
@@ -157,7 +173,7 @@ void Workbench::ask_for_pictures() {
 void Workbench::ask_for_inspection() {
   std::optional<InspectionKey> key;
   if (state.pixel && !holds_pictures)
-    key = InspectionKey{key_of(state.display.method()), *state.pixel, state.step};
+    key = InspectionKey{key_of(inspected_method(state.display)), *state.pixel, state.step};
   if (key == asked_inspection_) return;
   asked_inspection_ = key;
   if (!key) {

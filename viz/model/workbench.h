@@ -57,7 +57,8 @@ public:
   /// state asks for. Where the scene that is asked for cannot be opened there is a message, and the
   /// last good one stays.
   void update();
-  /// Opens another scene with the selection forgotten.
+  /// Opens another scene with the selection forgotten, and so the threshold and largest cut of a
+  /// counterexample.
   void open(const std::string& spec);
   /// Whether any job runs or is about to.
   [[nodiscard]] bool busy() const;
@@ -124,6 +125,9 @@ private:
     std::shared_ptr<const InspectionResult> inspection;
     std::optional<ReportResult> report;
     std::string report_failure;
+
+    /// Whether update() has not taken all of it yet.
+    [[nodiscard]] bool waits();
   };
   std::shared_ptr<Handover> handover_ = std::make_shared<Handover>();
 
