@@ -158,7 +158,7 @@ LayerStatistics statistics_of(const LayerValues& layer) {
       count(layer.values[i]);
   }
   if (finite.empty()) return s;
-  const auto most = finite.begin() + std::ptrdiff_t(0.995 * double(finite.size() - 1));
+  const auto most = finite.begin() + std::ptrdiff_t(std::ceil(0.995 * double(finite.size()))) - 1;
   std::nth_element(finite.begin(), most, finite.end());
   s.most_below = *most;
   s.least = least;

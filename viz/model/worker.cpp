@@ -11,7 +11,7 @@ namespace {
 
 // Of this thread alone on Linux; threads that it starts, such as oneTBB's, inherit it.
 void give_way() {
-  constexpr int background = 15;
+  constexpr int background = 10;
   (void)::setpriority(PRIO_PROCESS, id_t(::gettid()), background); // no harm where it is refused
 }
 

@@ -34,8 +34,8 @@ void ShownPicture::refresh(const std::vector<glm::vec3>& image, glm::uvec2 size,
   if (identity == identity_ && version_ > 0 && version == source_version_) return;
   identity_ = identity;
   source_version_ = version;
-  values_ = {
-      size, image, {}, std::vector<char>(image.size(), 1), std::vector<char>(image.size(), 1)};
+  const std::vector<char> all(image.size(), 1);
+  values_ = {.size = size, .image = image, .known = all, .own = all, .surface = all};
   show();
 }
 
