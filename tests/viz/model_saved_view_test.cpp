@@ -31,7 +31,8 @@ TEST(FilmOf, HasTheLayersThatWereMade) {
   settle(bench);
   const Film film = film_of(bench);
   EXPECT_EQ(film.size(), glm::uvec2(32, 24));
-  const auto& r = made<Frame>(small_key())->rendering();
+  const auto frame = made<Frame>(small_key());
+  const Rendering& r = frame->rendering();
   for (std::size_t i = 0; i < film.pixel_count(); ++i) {
     ASSERT_EQ(film.channel("G")[i], r.radiance[i].y + r.emission[i].y);
     ASSERT_EQ(film.channel("cut-size")[i], r.cut_size[i]);
