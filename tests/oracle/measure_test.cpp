@@ -171,6 +171,26 @@ TEST(Measure, GivesTheSameErrorsEachTime) {
   }
 }
 
+TEST(Measure, EndsWhereItIsCancelled) {
+  MeasureConfig config = quick();
+  config.cancelled = [] { return true; };
+  EXPECT_THROW((void)measured(many_lights(), config), MeasureCancelled);
+  // In the middle, too, without going on to the rows that are left.
+  std::atomic<double> share = 0;
+  config.repeats = 1'000'000;
+  config.progress = [&](double done) { share = done; };
+  config.cancelled = [&] { return share > 0; };
+  EXPECT_THROW((void)measured(floor_scene(20), config), MeasureCancelled);
+  EXPECT_LT(share, 0.01);
+}
+
+TEST(Measure, IsTheSameWhereItCouldHaveBeenCancelled) {
+  const Scene scene = floor_scene(20);
+  MeasureConfig config = quick();
+  config.cancelled = [] { return false; };
+  EXPECT_EQ(measured(scene, config).reference.radiance, measured(scene).reference.radiance);
+}
+
 TEST(Measure, RefusesASceneWithoutLightsAndACameraThatSeesNothing) {
   EXPECT_THROW((void)measured(floor_scene(0)), InputError);
   Scene away = floor_scene(3);

@@ -161,9 +161,9 @@ TEST(OpenedCounterexample, HoldsForTheLibrary) {
 }
 
 TEST(OpenedCounterexample, OpensWhateverTheCase) {
-  for (std::uint64_t index = 0; index < 100; ++index) {
+  for (std::uint64_t index = 0; index < 300; ++index) {
     const oracle::Counterexample c{oracle::Property::bound_dominates_contribution,
-                                   oracle::random_case(5, index), "", index};
+                                   oracle::random_case(3, index), "", index};
     EXPECT_NO_THROW((void)CounterexampleFile("lightcuts", c).open()) << "case " << index;
   }
 }

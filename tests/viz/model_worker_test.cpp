@@ -79,17 +79,19 @@ TEST(Worker, IsOfUseAfterCancelling) {
 }
 
 TEST(Worker, CancelsAndWaitsAtItsEnd) {
-  std::atomic<bool> begun = false, returned = false;
+  std::atomic<bool> begun = false, stopped = false, returned = false;
   {
     Worker worker(Niceness::background);
     worker.start([&](const std::stop_token& stop) {
       begun = true;
       wait_for_stop(stop);
+      stopped = stop.stop_requested();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       returned = true;
     });
     ASSERT_TRUE(comes_true([&] { return begun.load(); }));
   }
+  EXPECT_TRUE(stopped);
   EXPECT_TRUE(returned);
 }
 

@@ -9,8 +9,8 @@
 namespace lightcuts::viz {
 namespace {
 
-/// srgb8() by table, which is many times as fast: 4096 steps are finer than 8 bits everywhere but
-/// in the darkest hundredth, where the formula is linear.
+/// srgb8() by table, which is many times as fast: 2^14 steps are finer than 8 bits everywhere, in
+/// the dark, where the curve is steepest, five times.
 class SrgbTable {
 public:
   SrgbTable() {

@@ -31,8 +31,8 @@ struct ShadingSettings {
   bool operator==(const ShadingSettings&) const = default;
 };
 
-/// With the scene's threshold and black level; unoccluded as the view says, of a counterexample only
-/// if its own cut is.
+/// With the scene's threshold and black level; unoccluded as the view says, of a counterexample
+/// only if its own cut is.
 [[nodiscard]] CutConfig cut_config(const ShadingSettings& settings, const OpenedScene& scene,
                                    const SceneView& view);
 
