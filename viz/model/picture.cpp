@@ -77,26 +77,30 @@ std::string Picture::failure() const {
   return failure_;
 }
 
-std::uint32_t Picture::nearest_known(glm::uvec2 pixel) const {
+std::uint32_t Picture::nearest_known(const std::vector<char>& known, glm::uvec2 pixel) const {
   for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
     const glm::uvec2 from = pixel - pixel % *step;
     const std::uint32_t i = from.y * size_.x + from.x;
-    if (known_[i] != 0) return i;
+    if (known[i] != 0) return i;
   }
   return unknown;
 }
 
 std::uint32_t Picture::source_of(glm::uvec2 pixel) const {
   const std::lock_guard lock(mutex_);
-  return nearest_known(pixel);
+  return nearest_known(known_, pixel);
 }
 
 std::vector<std::uint32_t> Picture::sources() const {
-  const std::lock_guard lock(mutex_);
+  std::vector<char> known;
+  {
+    const std::lock_guard lock(mutex_); // briefly: who makes the picture waits for it
+    known = known_;
+  }
   std::vector<std::uint32_t> sources(pixel_count());
   for (unsigned y = 0; y < size_.y; ++y)
     for (unsigned x = 0; x < size_.x; ++x)
-      sources[std::size_t(y) * size_.x + x] = nearest_known({x, y});
+      sources[std::size_t(y) * size_.x + x] = nearest_known(known, {x, y});
   return sources;
 }
 

@@ -66,7 +66,7 @@ private:
 
   void run_clock(bool on);
   [[nodiscard]] double spent() const;
-  [[nodiscard]] std::uint32_t nearest_known(glm::uvec2 pixel) const;
+  [[nodiscard]] std::uint32_t nearest_known(const std::vector<char>& known, glm::uvec2 pixel) const;
   [[nodiscard]] bool on_grid(glm::uvec2 pixel) const {
     return pixel.x % step_ == 0 && pixel.y % step_ == 0;
   }
