@@ -17,11 +17,9 @@ constexpr std::array<ClusterColumnInfo, cluster_column_count> columns{{
     {"node", "", "Index of the tree's node; 0 is the root."},
     {"depth", "", "Steps from the root, which has 0."},
     {"lights", "", "Number of lights in the cluster."},
-    {"intensity", "W/sr", "Total intensity of the cluster's lights.\nsum of R, G, B"},
-    {"representative", "", "Index of the light that stands for the cluster."},
-    {"distance", "m",
-     "From the shading point x to the nearest point of the cluster's box.\n"
-     "min |y - x| over y in the box; 0 for directional lights"},
+    {"share", "",
+     "How near the bound is to what is allowed; at most 1 where it obeys.\n"
+     "max over R, G, B of bound / max(threshold * total, black level)"},
     {"bound", "radiance",
      "Upper bound of the estimate's error.\n|estimate - truth| <= bound in each channel\n"
      "shown: the largest of R, G, B"},
@@ -33,9 +31,11 @@ constexpr std::array<ClusterColumnInfo, cluster_column_count> columns{{
      "What the cluster does contribute.\nsum of all its lights' contributions, each with its own "
      "visibility\nshown: sum of R, G, B"},
     {"error", "radiance", "sum over R, G, B of |estimate - truth|"},
-    {"share", "",
-     "How near the bound is to what is allowed; at most 1 where it obeys.\n"
-     "max over R, G, B of bound / max(threshold * total, black level)"},
+    {"intensity", "W/sr", "Total intensity of the cluster's lights.\nsum of R, G, B"},
+    {"distance", "m",
+     "From the shading point x to the nearest point of the cluster's box.\n"
+     "min |y - x| over y in the box; 0 for directional lights"},
+    {"representative", "", "Index of the light that stands for the cluster."},
 }};
 
 double sum(const glm::dvec3& v) { return v.x + v.y + v.z; }

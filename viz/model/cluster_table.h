@@ -16,14 +16,14 @@ enum class ClusterColumn {
   node,
   depth,
   lights,
-  intensity,
-  representative,
-  distance,
+  share,
   bound,
   estimate,
   truth,
   error,
-  share
+  intensity,
+  distance,
+  representative
 };
 inline constexpr int cluster_column_count = 11;
 

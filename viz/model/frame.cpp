@@ -25,7 +25,12 @@ void Frame::look_at_needs() {
   const bool asked = key_.method == Method::lightcuts && !key_.scene->counterexample() &&
                      key_.settings.tree_use == TreeUse::automatic && !config_.rules;
   if (!asked || needs()) return;
-  const Needs found = find_needs(view_, *key_.scene->tree(), config_.cut);
+  // With many lights it takes seconds: not twice.
+  const OpenedScene& scene = *key_.scene;
+  const bool as_opened = key_.camera == scene.scene().camera &&
+                         config_.cut.threshold == scene.default_threshold() &&
+                         config_.cut.max_size == default_max_cut;
+  const Needs found = as_opened ? scene.needs() : find_needs(view_, *scene.tree(), config_.cut);
   config_.use_tree = found.tree;
   const std::lock_guard lock(needs_mutex_);
   needs_ = found;

@@ -72,12 +72,15 @@ OpenedScene::OpenedScene(OpenRequest request) : request_(std::move(request)) {
   build_tree();
   if (counterexample_ && counterexample_->node) judge_counterexample();
   depth_ = depths(topology_);
-  default_threshold_ = counterexample_ ? counterexample_->saved.counterexample.on.cut.threshold
-                                       : lightcuts::default_threshold(*view_);
-  black_level_ =
-      counterexample_
-          ? counterexample_->saved.counterexample.on.cut.black_level
-          : find_needs(*view_, *tree_, {default_threshold_, default_max_cut, 0}).black_level;
+  if (counterexample_) {
+    const CutConfig& cut = counterexample_->saved.counterexample.on.cut;
+    default_threshold_ = cut.threshold;
+    black_level_ = cut.black_level;
+  } else {
+    default_threshold_ = lightcuts::default_threshold(*view_);
+    needs_ = find_needs(*view_, *tree_, {default_threshold_, default_max_cut, 0});
+    black_level_ = needs_.black_level;
+  }
 }
 
 void OpenedScene::open_counterexample() {

@@ -12,6 +12,7 @@
 #include <lightcuts/oracle/counterexample_json.h>
 #include <lightcuts/oracle/subject.h>
 #include <lightcuts/oracle/topology.h>
+#include <lightcuts/render/needs.h>
 #include <lightcuts/render/scene_view.h>
 
 namespace lightcuts::viz {
@@ -63,6 +64,9 @@ public:
   /// Of a node; the root has 0.
   [[nodiscard]] std::uint32_t depth(std::uint32_t node) const { return depth_[node]; }
   [[nodiscard]] float default_threshold() const { return default_threshold_; }
+  /// What its own camera's view needs at that threshold and default_max_cut; not of a
+  /// counterexample.
+  [[nodiscard]] const Needs& needs() const { return needs_; }
   /// Radiance under which errors are not chased; see find_needs().
   [[nodiscard]] float black_level() const { return black_level_; }
   [[nodiscard]] double build_seconds() const { return build_seconds_; }
@@ -88,6 +92,7 @@ private:
   oracle::Topology topology_;
   std::vector<std::uint32_t> depth_;
   float default_threshold_ = 0, black_level_ = 0;
+  Needs needs_;
   double build_seconds_ = 0;
   std::optional<OpenedCounterexample> counterexample_;
   std::shared_ptr<const oracle::Subject> subject_;

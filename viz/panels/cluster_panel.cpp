@@ -84,7 +84,7 @@ void set_up_columns(const ClusterPanelState& state) {
     const auto column = ClusterColumn(i);
     ImGuiTableColumnFlags flags = column == ClusterColumn::node ? ImGuiTableColumnFlags_NoHide : 0;
     if (column == state.column) flags |= ImGuiTableColumnFlags_DefaultSort;
-    if (i >= int(ClusterColumn::bound) || state.descending)
+    if (i >= int(ClusterColumn::share) || state.descending)
       flags |= ImGuiTableColumnFlags_PreferSortDescending;
     ImGui::TableSetupColumn(info_of(column).name.data(), flags, 0, ImGuiID(i));
   }
