@@ -16,9 +16,8 @@ Counterexample found_in(const std::string& mutant, Property property) {
 
 TEST(FailingPlace, IsTheFirstClusterWhoseBoundIsTooLow) {
   const auto subject = subject_named("mutant:intensity-of-representative");
-  const Counterexample c =
-      shrunk(*subject, found_in("mutant:intensity-of-representative",
-                                Property::bound_dominates_contribution));
+  const Counterexample c = shrunk(*subject, found_in("mutant:intensity-of-representative",
+                                                     Property::bound_dominates_contribution));
   const auto place = failing_place(*subject, c);
   ASSERT_TRUE(place);
   EXPECT_EQ(place->view, 0U);
