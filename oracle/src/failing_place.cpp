@@ -8,15 +8,19 @@
 namespace lightcuts::oracle {
 namespace {
 
-bool a_cut_fails(const Judged& judged, Property property, const Case& on, const PointCase& at) {
-  if (!judged.has(Part::cuts)) return false;
+/// How the first cut that breaks the property is configured.
+std::optional<CutConfig> failing_cut(const Judged& judged, Property property, const Case& on,
+                                     const PointCase& at) {
+  if (!judged.has(Part::cuts)) return std::nullopt;
   const auto visible = [&at](std::uint32_t light) {
     return light < at.visible.size() && at.visible[light] != 0;
   };
-  Tally tally;
-  for (const CutConfig& config : cuts_of(on))
+  for (const CutConfig& config : cuts_of(on)) {
+    Tally tally;
     check_cut(judged, config, judged.tree.select(at.point, config, visible), at, tally);
-  return tally[property].violations > 0;
+    if (tally[property].violations > 0) return config;
+  }
+  return std::nullopt;
 }
 
 } // namespace
@@ -44,9 +48,12 @@ std::optional<FailingPlace> failing_place(const Subject& subject, const Countere
     if (judged.has(Part::bounds)) {
       std::vector<glm::vec3> bounds(at.topology().size());
       judged.tree.bounds(at.point, bounds);
-      if (const auto node = failing_cluster(judged, c.property, at, bounds)) place = {view, node};
+      if (const auto node = failing_cluster(judged, c.property, at, bounds))
+        place = {view, node, c.on.cut};
     }
-    if (!place && a_cut_fails(judged, c.property, c.on, at)) place = {view, std::nullopt};
+    if (place) return true;
+    if (const auto cut = failing_cut(judged, c.property, c.on, at))
+      place = {view, std::nullopt, *cut};
     return place.has_value();
   });
   return place;

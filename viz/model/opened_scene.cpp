@@ -73,9 +73,8 @@ OpenedScene::OpenedScene(OpenRequest request) : request_(std::move(request)) {
   if (counterexample_ && counterexample_->node) judge_counterexample();
   depth_ = depths(topology_);
   if (counterexample_) {
-    const CutConfig& cut = counterexample_->saved.counterexample.on.cut;
-    default_threshold_ = cut.threshold;
-    black_level_ = cut.black_level;
+    default_threshold_ = counterexample_->cut.threshold;
+    black_level_ = counterexample_->cut.black_level;
   } else {
     default_threshold_ = lightcuts::default_threshold(*view_);
     needs_ = find_needs(*view_, *tree_, {default_threshold_, default_max_cut, 0});
@@ -86,6 +85,7 @@ OpenedScene::OpenedScene(OpenRequest request) : request_(std::move(request)) {
 void OpenedScene::open_counterexample() {
   OpenedCounterexample opened{oracle::load_counterexample(request_.spec)};
   const oracle::Counterexample& c = opened.saved.counterexample;
+  opened.cut = c.on.cut;
   if (c.on.views.empty() || c.on.lights.empty())
     throw InputError(request_.spec + ": has no shading point or no light to look at; "
                                      "'lightcuts-oracle replay' shows its arithmetic");
@@ -99,6 +99,7 @@ void OpenedScene::open_counterexample() {
     if (const auto place = oracle::failing_place(*subject_, c)) {
       opened.view = place->view;
       opened.node = place->node;
+      opened.cut = place->cut;
     }
   } catch (const oracle::SubjectFailure& failure) {
     opened.still_fails = true;

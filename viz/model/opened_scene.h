@@ -36,6 +36,7 @@ struct OpenedCounterexample {
   oracle::SavedCounterexample saved;
   std::size_t view = 0;              ///< index of the shading point
   std::optional<std::uint32_t> node; ///< the first cluster that breaks it; of cuts: none
+  CutConfig cut; ///< of the cut that breaks it; of a property of bounds, the case's own
   bool still_fails = false;
   std::string message;     ///< what the oracle says of it now
   std::string explanation; ///< see explain()

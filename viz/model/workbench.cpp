@@ -110,9 +110,8 @@ void Workbench::adopt(const std::shared_ptr<const OpenedScene>& scene) {
   if (!another) return;
   for (const std::string& note : scene->scene().notes) say(scene->scene().name + ": " + note);
   if (const auto& c = scene->counterexample()) {
-    const auto& counterexample = c->saved.counterexample;
-    state.shading.threshold = counterexample.on.cut.threshold;
-    state.shading.max_cut = counterexample.on.cut.max_size;
+    state.shading.threshold = c->cut.threshold;
+    state.shading.max_cut = c->cut.max_size;
     if (!state.pixel) state.pixel = scene->scene().image_size / 2U;
     if (!state.node) state.node = c->node;
   }

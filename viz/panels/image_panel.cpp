@@ -65,18 +65,27 @@ void ImagePanel::refresh(Workbench& workbench) {
 
 void ImagePanel::refresh_one(Workbench& workbench, const DisplayMethod& display,
                              const std::optional<HeatMapScale>& scale, ShownPicture& into) {
-  if (display.is_raster() && (workbench.state.layer == Layer::image || moving_))
-    refresh_raster(workbench, into);
-  else
-    into.refresh(workbench, {display, workbench.state.layer, exposure_, scale});
+  try {
+    if (display.is_raster() && (workbench.state.layer == Layer::image || moving_))
+      refresh_raster(workbench, into);
+    else
+      into.refresh(workbench, {display, workbench.state.layer, exposure_, scale});
+    failure_.clear();
+  } catch (const std::exception& error) {
+    raster_done_ = true; // there will not be more of it
+    if (failure_ != error.what()) workbench.say(error.what(), true);
+    failure_ = error.what();
+  }
 }
 
 void ImagePanel::refresh_raster(Workbench& workbench, ShownPicture& into) {
   if (raster_of_ != workbench.scene()) {
-    raster_ = std::make_unique<RasterPreview>(workbench.scene()->scene());
     raster_of_ = workbench.scene();
     raster_camera_.reset();
+    raster_.reset();
+    raster_ = std::make_unique<RasterPreview>(workbench.scene()->scene());
   }
+  if (!raster_) return; // it failed, and that has been said
   if (raster_camera_ != workbench.camera()) {
     raster_camera_ = workbench.camera();
     raster_->start(*raster_camera_, workbench.scene()->scene().image_size);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "gl/orbit_camera.h"
 #include "gl/raster_preview.h"
@@ -65,6 +66,7 @@ private:
   bool raster_done_ = false, raster_shown_ = false;
   std::vector<glm::vec3> raster_image_;
   std::uint64_t raster_version_ = 0;
+  std::string failure_;               ///< the last one that was told
   std::optional<OrbitCamera> moving_; ///< while the camera is being moved
 };
 

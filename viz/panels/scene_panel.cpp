@@ -30,24 +30,38 @@ void ScenePanel::draw(Workbench& workbench) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const ImVec2 available = ImGui::GetContentRegionAvail();
   const glm::uvec2 size(std::max(available.x, 16.0F), std::max(available.y, 16.0F));
-  adopt(workbench, size);
   ImGui::InvisibleButton("scene", {float(size.x), float(size.y)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
-  handle_mouse(workbench, to_dvec(origin), size);
-  render(workbench, size);
+  if (scene_ == workbench.scene()) handle_mouse(workbench, to_dvec(origin), size);
+  update_picture(workbench, size);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (!failure_.empty()) {
+    list->AddText(origin, violation_colour, ("This cannot be drawn: " + failure_).c_str());
+    return;
+  }
   // Textures begin at their lowest row.
-  ImGui::GetWindowDrawList()->AddImage(texture_id(picture_->texture()), origin,
-                                       {origin.x + float(size.x), origin.y + float(size.y)}, {0, 1},
-                                       {1, 0});
+  list->AddImage(texture_id(picture_->texture()), origin,
+                 {origin.x + float(size.x), origin.y + float(size.y)}, {0, 1}, {1, 0});
+}
+
+void ScenePanel::update_picture(Workbench& workbench, glm::uvec2 size) {
+  try {
+    adopt(workbench, size);
+    if (picture_) render(workbench, size);
+  } catch (const std::exception& error) {
+    failure_ = error.what();
+  }
 }
 
 void ScenePanel::adopt(const Workbench& workbench, glm::uvec2 size) {
   if (scene_ == workbench.scene()) return;
   const bool same = scene_ && scene_->request().spec == workbench.scene()->request().spec;
   scene_ = workbench.scene();
-  picture_ = std::make_unique<ScenePicture>(scene_->scene());
+  failure_.clear();
   drawn_.reset();
+  picture_.reset();
+  picture_ = std::make_unique<ScenePicture>(scene_->scene());
   const Box box = picture_->bounds();
   options_.scene_diagonal = float(diagonal_length(box));
   if (same) return;

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "gl/orbit_camera.h"
 #include "gl/scene_picture.h"
@@ -30,6 +31,8 @@ private:
     bool operator==(const Drawn&) const = default;
   };
 
+  /// Makes the picture anew where it has to be; what goes wrong becomes failure_.
+  void update_picture(Workbench& workbench, glm::uvec2 size);
   void adopt(const Workbench& workbench, glm::uvec2 size);
   void draw_options();
   void draw_legend(const Workbench& workbench) const;
@@ -43,6 +46,7 @@ private:
   OrbitCamera camera_;
   OverlayOptions options_;
   std::optional<Drawn> drawn_;
+  std::string failure_; ///< why the scene cannot be drawn, or nothing
 };
 
 } // namespace lightcuts::viz

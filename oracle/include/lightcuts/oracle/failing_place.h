@@ -15,6 +15,8 @@ struct FailingPlace {
   std::size_t view = 0;              ///< index of the shading point
   std::optional<std::uint32_t> node; ///< the first cluster, by index, that breaks a property of
                                      ///< bounds; nothing for one of cuts
+  CutConfig cut;                     ///< of the first of cuts_of() that breaks one of cuts; else
+                                     ///< the case's own
 };
 
 /// The first one; nothing where the property holds, or is not one of bounds or of a single cut.
