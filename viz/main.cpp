@@ -26,7 +26,9 @@ void begin(App& app, const Options& options) {
 /// Complains of what the window would have shown as a message.
 void require_scene(Workbench& workbench) {
   for (const Message& message : workbench.messages()) fmt::print(stderr, "{}\n", message.text);
-  if (!workbench.scene()) throw InputError("nothing to show");
+  if (workbench.scene()) return;
+  throw InputError(workbench.opening() ? "the scene is not open yet; --wait waits longer"
+                                       : "nothing to show");
 }
 
 /// Known before the work, not after.
@@ -58,11 +60,13 @@ int show_window(const Options& options) {
   const std::filesystem::path folder = config_folder();
   std::string problem;
   const AppSettings settings = load_settings(folder, problem);
-  AppSettings left = run_window(options.sized(settings), options.scale, options.out, [&](App& app) {
-    if (!problem.empty()) app.workbench().say(problem, true);
-    begin(app, options);
-  });
-  save_settings(left, folder);
+  run_window(
+      options.sized(settings), options.scale, options.out,
+      [&](App& app) {
+        if (!problem.empty()) app.workbench().say(problem, true);
+        begin(app, options);
+      },
+      [&](const AppSettings& left) { save_settings(left, folder); });
   return done;
 }
 

@@ -135,8 +135,10 @@ void add_view_options(CLI::App& command, Options& options) {
 
 void add_window_options(CLI::App& command, Options& options) {
   command
-      .add_option("--size", options.size,
-                  "WIDTHxHEIGHT of the window; default: the last one's, at first 1280x800")
+      .add_option(
+          "--size", options.size,
+          "WIDTHxHEIGHT of the window; default: the last one's, at first and with --screenshot "
+          "1280x800")
       ->check(check_size);
   command.add_option("--scale", options.scale, "of fonts and sizes; default: the screen's")
       ->check(CLI::Range(0.5F, 4.0F));
@@ -194,7 +196,10 @@ ViewState state_for(const Options& options, const AppSettings& settings) {
   if (!options.pixel.empty()) state.pixel = parse_pair(options.pixel, ',');
   if (options.node) state.node = options.node;
   if (options.step) state.step = options.step;
-  if (options.logarithmic) state.colours.logarithmic = true;
+  if (options.logarithmic && !state.colours.logarithmic) {
+    state.colours.logarithmic = true;
+    state.colours.automatic_range = true;
+  }
   for (const ColourMap map : all_colour_maps)
     if (options.colour_map == name_of(map)) state.colours.map = map;
   return state;

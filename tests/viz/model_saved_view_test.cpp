@@ -29,7 +29,7 @@ TEST(FilmOf, HasTheLayersThatWereMade) {
   SmallWorkbench bench;
   bench.state.layer = Layer::error;
   settle(bench);
-  const Film film = film_of(bench);
+  const Film film = film_of(bench, {});
   EXPECT_EQ(film.size(), glm::uvec2(32, 24));
   const auto frame = made<Frame>(small_key());
   const Rendering& r = frame->rendering();
@@ -50,7 +50,7 @@ TEST(FilmOf, SaysWhatItIs) {
   SmallWorkbench bench;
   bench.state.display = Method::paper;
   settle(bench);
-  const Film film = film_of(bench);
+  const Film film = film_of(bench, {});
   EXPECT_EQ(film.metadata.at("scene"), small_spec);
   EXPECT_EQ(film.metadata.at("method"), "paper");
   EXPECT_EQ(film.metadata.at("threshold"), "0.1");
@@ -61,7 +61,7 @@ TEST(FilmOf, IsNotANumberWhereNothingIsKnown) {
   SmallWorkbench bench;
   bench.holds_pictures = true;
   settle(bench);
-  const Film film = film_of(bench);
+  const Film film = film_of(bench, {});
   EXPECT_THAT(film.channel_names(), testing::ElementsAre("R", "G", "B"));
   for (const float v : film.channel("R")) EXPECT_TRUE(std::isnan(v));
 }
@@ -73,7 +73,7 @@ TEST(FilmOf, HasNoPixelInPlaceOfAnother) {
   const auto frame =
       std::const_pointer_cast<Frame>(bench.sources(Method::lightcuts, Layer::image).frame);
   frame->advance([&] { return frame->share() >= 4.0 / (32 * 24); });
-  const Film film = film_of(bench);
+  const Film film = film_of(bench, {});
   for (unsigned i = 0; i < 32 * 24; ++i) {
     const bool coarse = i % 32 % 16 == 0 && i / 32 % 16 == 0;
     EXPECT_EQ(!std::isnan(film.channel("R")[i]), coarse) << i;
@@ -88,7 +88,7 @@ TEST(SaveView, WritesThePictureTheNumbersAndTheState) {
   bench.state.pixel = some_pixels[0];
   settle(bench);
   const auto where = folder.path / "views";
-  save_view(bench, shown_by(bench), where, "mine");
+  save_view(bench, shown_by(bench), {}, where, "mine");
   EXPECT_EQ(load_view_state(where / "mine.json"), bench.state);
   const Film film = read_exr(where / "mine.exr");
   EXPECT_EQ(film.size(), glm::uvec2(32, 24));
@@ -104,7 +104,7 @@ TEST(SaveView, OpensAsItWasSaved) {
   bench.state.camera = small_scene()->scene().camera;
   bench.state.camera->vertical_fov = 33;
   settle(bench);
-  save_view(bench, shown_by(bench), folder.path, "mine");
+  save_view(bench, shown_by(bench), {}, folder.path, "mine");
   Workbench again;
   again.state = load_view_state(folder.path / "mine.json");
   settle(again);
@@ -118,10 +118,11 @@ TEST(SaveView, WritesAllOrNothing) {
   Coloured broken = shown_by(bench);
   broken.size = {0, 0};
   broken.pixels.clear();
-  EXPECT_THROW(save_view(bench, broken, folder.path / "new", "mine"), InputError);
+  EXPECT_THROW(save_view(bench, broken, {}, folder.path / "new", "mine"), InputError);
   EXPECT_FALSE(std::filesystem::exists(folder.path / "new" / "mine.json"));
   write(folder.path / "file", "not a folder");
-  expect_refusal("file", [&] { save_view(bench, shown_by(bench), folder.path / "file", "mine"); });
+  expect_refusal("file",
+                 [&] { save_view(bench, shown_by(bench), {}, folder.path / "file", "mine"); });
 }
 
 } // namespace

@@ -28,7 +28,7 @@ struct ClusterRow {
   double share = 0;                    ///< largest over the channels of
                                        ///< bound / max(threshold * total, black level)
   Box box{glm::vec3(0), glm::vec3(0)}; ///< of the positions of its lights, metres; see has_box
-  bool has_box = false; ///< not of mixed and directional clusters, nor of foreign trees
+  bool has_box = false;                ///< not of mixed and directional clusters
   /// Metres; of a directional light, a point towards it from the shading point.
   glm::vec3 representative_position{0};
 };

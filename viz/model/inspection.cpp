@@ -43,6 +43,8 @@ public:
     return dot_between(point().normal(), from, l.position) <= 0 || sees(light);
   }
   [[nodiscard]] CutConfig config() const { return cut_config(key_.frame.settings, scene_, view_); }
+  /// Whether the tree answers that; a foreign one may not.
+  [[nodiscard]] bool offers(oracle::Part part) const { return has(scene_.parts(), part); }
   [[nodiscard]] std::unique_ptr<oracle::SubjectTree> tree() const {
     return tree_for(key_.frame.method, key_.frame.settings, scene_);
   }
@@ -206,6 +208,7 @@ Inspection inspect(const InspectionKey& key) {
   if (!place.sees_surface()) return inspection;
   describe_point(place, inspection);
   inspection.config = place.config();
+  if (!place.offers(oracle::Part::cuts)) return inspection;
   const auto tree = place.tree();
   Cut cut = place.cut(*tree, inspection.config.max_size);
   inspection.final_size = std::uint32_t(cut.clusters.size());
@@ -227,7 +230,7 @@ RefinementCurve refinement_curve(const InspectionKey& key, std::size_t most,
                                  const std::function<bool()>& cancelled) {
   RefinementCurve curve;
   const Place place(key);
-  if (!place.sees_surface()) return curve;
+  if (!place.sees_surface() || !place.offers(oracle::Part::cuts)) return curve;
   const auto tree = place.tree();
   const auto last = double(place.cut(*tree, place.config().max_size).clusters.size());
   // Evenly in logarithm: the first refinements do most.
@@ -256,9 +259,9 @@ bool add_truth(const InspectionKey& key, Inspection& inspection,
   if (!evaluate(place, cancelled, known)) return false;
   for (ClusterRow& row : inspection.clusters) row.truth = as_doubles(known.truth.seen(row.node));
   inspection.truth = as_doubles(known.truth.seen(0));
+  if (!place.offers(oracle::Part::bounds) || !place.offers(oracle::Part::estimates)) return true;
   const auto tree = place.tree();
-  const oracle::Judged judged{*tree, oracle::only(oracle::Part::bounds) |
-                                         oracle::only(oracle::Part::estimates)};
+  const oracle::Judged judged{*tree, place.scene().parts()};
   inspection.clairvoyant =
       clairvoyant_cut_size(judged, {0, place.point(), known.visible, known.truth},
                            inspection.config.threshold, inspection.config.black_level);
@@ -269,6 +272,9 @@ std::optional<ClusterRow> row_of(const InspectionKey& key, std::uint32_t node) {
   const Place place(key);
   const oracle::Topology& topology = place.scene().topology();
   if (!place.sees_surface() || node >= topology.size()) return std::nullopt;
+  for (const oracle::Part part :
+       {oracle::Part::bounds, oracle::Part::estimates, oracle::Part::cuts})
+    if (!place.offers(part)) return std::nullopt;
   const auto tree = place.tree();
   const CutCluster cluster = cluster_of(place, *tree, node);
   const Cut cut = place.cut(*tree, place.config().max_size);

@@ -110,6 +110,11 @@ void OpenedScene::open_counterexample() {
   counterexample_ = std::move(opened);
 }
 
+oracle::Parts OpenedScene::parts() const {
+  constexpr oracle::Parts all = (1U << unsigned(oracle::part_count)) - 1;
+  return subject_ ? subject_->parts() : all;
+}
+
 void OpenedScene::judge_counterexample() {
   OpenedCounterexample& c = *counterexample_;
   const oracle::CaseView& view = c.saved.counterexample.on.views[c.view];

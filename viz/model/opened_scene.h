@@ -76,6 +76,8 @@ public:
   [[nodiscard]] const std::optional<OpenedCounterexample>& counterexample() const {
     return counterexample_;
   }
+  /// What of its subject can be asked; of a scene, all that the library offers.
+  [[nodiscard]] oracle::Parts parts() const;
   /// A new user of the tree of the counterexample's subject; only with a counterexample.
   [[nodiscard]] std::unique_ptr<oracle::SubjectTree> subject_tree() const {
     return subject_tree_->for_another_thread();

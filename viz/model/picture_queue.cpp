@@ -17,7 +17,12 @@ std::shared_ptr<P> remembered(std::vector<std::shared_ptr<P>>& all, const FrameK
     std::rotate(found, found + 1, all.end());
     return all.back();
   }
-  if (all.size() >= most) all.erase(all.begin());
+  if (all.size() >= most) {
+    // Rather one of which nothing is known, as of a camera on its way.
+    const auto blank = std::find_if(all.begin(), all.end(),
+                                    [](const auto& picture) { return picture->share() == 0; });
+    all.erase(blank == all.end() ? all.begin() : blank);
+  }
   return all.emplace_back(std::make_shared<P>(key));
 }
 

@@ -33,9 +33,16 @@ bool is_known(Layer layer, const LayerSources& sources) {
 
 } // namespace
 
-Film film_of(Workbench& workbench) {
+Film film_of(Workbench& workbench, const LayerValues& shown) {
   Film film(workbench.scene()->scene().image_size);
   const DisplayMethod display = workbench.state.display;
+  if (display.is_raster()) {
+    film.metadata = {{"scene", workbench.scene()->scene().name},
+                     {"method", name_of(display)},
+                     {"version", version}};
+    add_image(shown, film);
+    return film;
+  }
   for (const Layer layer : all_layers) {
     const LayerSources sources = workbench.sources(display, layer);
     if (layer == Layer::image)
@@ -51,11 +58,11 @@ Film film_of(Workbench& workbench) {
   return film;
 }
 
-void save_view(Workbench& workbench, const Coloured& shown, const std::filesystem::path& folder,
-               const std::string& name) {
+void save_view(Workbench& workbench, const Coloured& shown, const LayerValues& values,
+               const std::filesystem::path& folder, const std::string& name) {
   OutputFolder output(folder);
   write_png(output.stage(name + ".png"), shown.size, shown.pixels);
-  write_exr(film_of(workbench), output.stage(name + ".exr"));
+  write_exr(film_of(workbench, values), output.stage(name + ".exr"));
   write_file_atomically(output.stage(name + ".json"), view_state_json(workbench.state));
   output.commit();
 }

@@ -31,15 +31,17 @@ void TruthPicture::judge(glm::uvec2 pixel, State& state) {
   for (std::uint32_t i = 0; i < lights.size(); ++i) state.visible[i] = view_.sees(*p, i) ? 1 : 0;
   state.truth.evaluate(key_.scene->topology(), lights, p->point, state.visible);
   const oracle::PointCase at{0, p->point, state.visible, state.truth};
-  const oracle::Judged judged{*state.tree, oracle::only(oracle::Part::bounds) |
-                                               oracle::only(oracle::Part::estimates) |
-                                               oracle::only(oracle::Part::cuts)};
+  const oracle::Judged judged{*state.tree, key_.scene->parts()};
   const std::size_t i = std::size_t(pixel.y) * size().x + pixel.x;
-  clairvoyant_[i] = float(clairvoyant_cut_size(judged, at, cut_.threshold, cut_.black_level));
+  // Where it is not known, a pixel that sees a surface has 1 all the same.
+  clairvoyant_[i] = 1;
+  if (judged.has(oracle::Part::bounds) && judged.has(oracle::Part::estimates))
+    clairvoyant_[i] = float(clairvoyant_cut_size(judged, at, cut_.threshold, cut_.black_level));
   oracle::Tally tally;
   check_clusters(judged, at, tally);
   const auto sees = [&](std::uint32_t light) { return state.visible[light] != 0; };
-  check_cut(judged, cut_, state.tree->select(p->point, cut_, sees), at, tally);
+  if (judged.has(oracle::Part::cuts))
+    check_cut(judged, cut_, state.tree->select(p->point, cut_, sees), at, tally);
   violations_[i] = float(tally.violations());
 }
 

@@ -48,7 +48,7 @@ struct ViewState {
   bool operator==(const ViewState&) const = default;
 };
 
-/// JSON of schema lightcuts-viz/view/1; what is as by default is left out.
+/// JSON of schema lightcuts-viz/view/1; optional values that are not there are left out.
 [[nodiscard]] std::string view_state_json(const ViewState& state);
 
 /// Reads that. Throws InputError that names `name` and the member, where the text is no JSON, of

@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace lightcuts::viz {
 namespace {
 
@@ -26,6 +28,7 @@ Workbench::Workbench() = default;
 Workbench::~Workbench() = default;
 
 void Workbench::open(const std::string& spec) {
+  if (!scene_) asked_to_open_.reset(); // the same again may succeed
   state.open = {.spec = spec};
   if (scene_ && scene_->counterexample()) {
     state.shading.threshold.reset();
@@ -110,8 +113,8 @@ void Workbench::adopt(const std::shared_ptr<const OpenedScene>& scene) {
   if (!another) return;
   for (const std::string& note : scene->scene().notes) say(scene->scene().name + ": " + note);
   if (const auto& c = scene->counterexample()) {
-    state.shading.threshold = c->cut.threshold;
-    state.shading.max_cut = c->cut.max_size;
+    if (!state.shading.threshold) state.shading.threshold = c->cut.threshold;
+    if (state.shading.max_cut == default_max_cut) state.shading.max_cut = c->cut.max_size;
     if (!state.pixel) state.pixel = scene->scene().image_size / 2U;
     if (!state.node) state.node = c->node;
   }
@@ -119,8 +122,16 @@ void Workbench::adopt(const std::shared_ptr<const OpenedScene>& scene) {
 
 void Workbench::keep_selection_valid() {
   const glm::uvec2 size = scene_->scene().image_size;
-  if (state.pixel && (state.pixel->x >= size.x || state.pixel->y >= size.y)) state.pixel.reset();
-  if (state.node && *state.node >= scene_->topology().size()) state.node.reset();
+  if (state.pixel && (state.pixel->x >= size.x || state.pixel->y >= size.y)) {
+    say(fmt::format("pixel {},{} is not in the image of {} x {}", state.pixel->x, state.pixel->y,
+                    size.x, size.y));
+    state.pixel.reset();
+  }
+  if (state.node && *state.node >= scene_->topology().size()) {
+    say(fmt::format("there is no node {}: the tree has {}", *state.node,
+                    scene_->topology().size()));
+    state.node.reset();
+  }
 }
 
 // ---- pictures
@@ -164,7 +175,18 @@ std::vector<std::shared_ptr<Picture>> Workbench::wanted_pictures() {
 }
 
 void Workbench::ask_for_pictures() {
-  queue_.want(holds_pictures ? std::vector<std::shared_ptr<Picture>>{} : wanted_pictures());
+  const auto wanted = holds_pictures ? std::vector<std::shared_ptr<Picture>>{} : wanted_pictures();
+  tell_of_failures(wanted);
+  queue_.want(wanted);
+}
+
+void Workbench::tell_of_failures(const std::vector<std::shared_ptr<Picture>>& pictures) {
+  for (const auto& picture : pictures) {
+    const std::string failure = picture->failure();
+    if (failure.empty() || failure == told_failure_) continue;
+    told_failure_ = failure;
+    say(failure, true);
+  }
 }
 
 // ---- the selected pixel
@@ -211,7 +233,7 @@ void Workbench::take_inspection() {
   inspection_ = taken;
 }
 
-std::optional<ClusterRow> Workbench::row(std::uint32_t node) const {
+std::optional<ClusterRow> Workbench::row(std::uint32_t node) {
   if (!inspection_ || !inspection_->inspection.sees_surface) return std::nullopt;
   for (const ClusterRow& row : inspection_->inspection.clusters)
     if (row.node == node) return row;
@@ -221,8 +243,13 @@ std::optional<ClusterRow> Workbench::row(std::uint32_t node) const {
   }
   const auto known = other_rows_.find(node);
   if (known != other_rows_.end()) return known->second;
-  const auto row = row_of(inspection_->key, node);
-  if (row) other_rows_.emplace(node, *row);
+  std::optional<ClusterRow> row;
+  try {
+    row = row_of(inspection_->key, node);
+  } catch (const std::exception& error) { // a foreign tree that does not answer
+    say(error.what(), true);
+  }
+  other_rows_.emplace(node, row);
   return row;
 }
 

@@ -88,9 +88,9 @@ public:
     return inspection_;
   }
   /// A cluster as seen from the selected pixel, in the cut or not; nothing without a pixel.
-  [[nodiscard]] std::optional<ClusterRow> row(std::uint32_t node) const;
+  [[nodiscard]] std::optional<ClusterRow> row(std::uint32_t node);
   /// The selected one.
-  [[nodiscard]] std::optional<ClusterRow> selected_row() const {
+  [[nodiscard]] std::optional<ClusterRow> selected_row() {
     return state.node ? row(*state.node) : std::nullopt;
   }
 
@@ -110,12 +110,14 @@ private:
   void ask_for_inspection();
   void adopt(const std::shared_ptr<const OpenedScene>& scene);
   void keep_selection_valid();
+  void tell_of_failures(const std::vector<std::shared_ptr<Picture>>& pictures);
   [[nodiscard]] FrameKey key_of(Method method) const;
   [[nodiscard]] std::vector<std::shared_ptr<Picture>> wanted_pictures();
 
   std::shared_ptr<const OpenedScene> scene_;
   std::optional<OpenRequest> asked_to_open_;
   std::vector<Message> messages_;
+  std::string told_failure_; ///< of a picture, the last one
 
   /// What threads hand over.
   struct Handover {
@@ -134,8 +136,8 @@ private:
   std::shared_ptr<const InspectionResult> inspection_;
   std::optional<InspectionKey> asked_inspection_;
   /// Clusters beside the cut that were asked for, of the inspection's key.
-  mutable std::unordered_map<std::uint32_t, ClusterRow> other_rows_;
-  mutable const InspectionResult* other_rows_of_ = nullptr;
+  std::unordered_map<std::uint32_t, std::optional<ClusterRow>> other_rows_;
+  const InspectionResult* other_rows_of_ = nullptr;
   std::optional<ReportResult> report_;
   std::atomic<double> report_share_ = 0;
 

@@ -17,7 +17,8 @@ enum class Niceness { prompt, background };
 /// one before, and takes the place of one that waits.
 class Worker {
 public:
-  /// A job looks at its token now and then, and returns soon after that says stop.
+  /// A job that can be left looks at its token now and then, and returns soon after that says stop;
+  /// one that cannot is waited for.
   using Job = std::function<void(std::stop_token)>;
 
   explicit Worker(Niceness niceness);

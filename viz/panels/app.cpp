@@ -149,7 +149,7 @@ void App::save() {
   for (const char c : name)
     file += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '-';
   try {
-    save_view(workbench_, image_.shown().coloured(), output_, file);
+    save_view(workbench_, image_.shown().coloured(), image_.shown().values(), output_, file);
     workbench_.say(fmt::format("saved {}/{}.png, .exr and .json", output_.string(), file));
   } catch (const std::exception& error) {
     workbench_.say(error.what(), true);
@@ -279,7 +279,8 @@ void App::draw_status() {
       ImGui::SameLine();
     }
   }
-  if (workbench_.state.layer == Layer::violations && n.largest == 0)
+  const bool clean = !picture && n.known > 0 && n.largest == 0;
+  if (workbench_.state.layer == Layer::violations && clean)
     ImGui::Text("no violation at %llu pixels", static_cast<unsigned long long>(n.known));
   else if (workbench_.state.layer != Layer::image)
     ImGui::TextUnformatted(

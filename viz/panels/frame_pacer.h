@@ -6,8 +6,8 @@
 namespace lightcuts::viz {
 
 /// When to draw the next frame: at once while somebody does something, now and then while a picture
-/// grows, so that what draws (software, maybe) leaves the processor to what renders, and not at all
-/// where nothing changes.
+/// grows, so that what draws (software, maybe) leaves the processor to what renders, and twice a
+/// second where nothing changes.
 class FramePacer {
 public:
   using Clock = std::chrono::steady_clock;

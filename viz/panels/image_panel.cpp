@@ -11,6 +11,9 @@
 #include "model/value_text.h"
 #include "panels/drawing.h"
 #include "panels/pixel_text.h"
+#include <lightcuts/input_error.h>
+#include <lightcuts/render/camera.h>
+#include <lightcuts/render/film.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -96,6 +99,10 @@ void ImagePanel::refresh_raster(Workbench& workbench, ShownPicture& into) {
     raster_done_ = raster_->advance(moving_ ? raster_budget_moving : raster_budget);
     raster_image_ = raster_->radiance();
     ++raster_version_;
+    if (!exposure_final_ && (!exposure_ || raster_done_)) {
+      exposure_ = automatic_exposure(raster_image_);
+      exposure_final_ = raster_done_;
+    }
   }
   into.refresh(raster_image_, workbench.scene()->scene().image_size, raster_version_,
                workbench.state.colours, exposure_);
@@ -107,6 +114,7 @@ void ImagePanel::remember_exposure(Workbench& workbench) {
     exposure_.reset();
     exposure_final_ = false;
   }
+  if (workbench.state.display.is_raster() || moving_) return; // see refresh_raster()
   const LayerSources sources = workbench.sources(workbench.state.display, Layer::image);
   // The first pass gives a first guess, the whole picture the last one.
   const bool complete = sources.frame->complete();
@@ -171,7 +179,14 @@ void ImagePanel::move_camera(Workbench& workbench) {
     moving_->orbit(-radians_per_pixel * io.MouseDelta.x, radians_per_pixel * io.MouseDelta.y);
   if (pans) moving_->pan(to_dvec(io.MouseDelta), glm::uvec2(area_.size));
   if (dollies) moving_->dolly(std::pow(0.9, io.MouseWheel));
-  workbench.state.camera = moving_->to_camera();
+  const Camera camera = moving_->to_camera();
+  try {
+    (void)PinholeView(camera, glm::uvec2(1));
+  } catch (const InputError&) { // too near or too far for floats: no farther
+    moving_.reset();
+    return;
+  }
+  workbench.state.camera = camera;
   workbench.state.pixel.reset();
   workbench.holds_pictures = true;
 }

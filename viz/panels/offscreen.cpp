@@ -35,7 +35,8 @@ bool Offscreen::settle(double seconds) {
   while (quiet < 4 && Clock::now() < end) {
     frame();
     quiet = app_.settled() ? quiet + 1 : 0;
-    if (quiet == 0) std::this_thread::sleep_for(pause);
+    // What is rasterised is made by frames themselves.
+    if (quiet == 0 && app_.image().raster_complete()) std::this_thread::sleep_for(pause);
     pause = std::min(2 * pause, std::chrono::milliseconds(64));
   }
   return quiet >= 4;

@@ -43,20 +43,27 @@ const char* ending(CutEnd end) {
   return "";
 }
 
+/// An error summed over RGB, and relative as the layers have it.
+std::string error_text(const Inspection& i, double error, const glm::dvec3& of) {
+  const double least = 3 * double(i.config.black_level);
+  const double relative = error == 0 ? 0 : error / std::max(sum(of), least);
+  return fmt::format("{} ({} %)", short_text(error), short_text(100 * relative));
+}
+
 void radiance(const Inspection& i) {
   text(fmt::format("radiance {}  certified error {}", rgb_text(glm::dvec3(i.radiance)),
-                   short_text(sum(glm::dvec3(i.certified_error)))));
+                   error_text(i, sum(glm::dvec3(i.certified_error)), glm::dvec3(i.radiance))));
   if (!i.truth) {
     quiet("truth ... (every light is being looked at)");
     return;
   }
   const double error = sum(glm::abs(glm::dvec3(i.radiance) - *i.truth));
-  const double relative = sum(*i.truth) > 0 ? error / sum(*i.truth) : 0;
-  text(fmt::format("truth {}  true error {} ({:.3g} %)", rgb_text(*i.truth), short_text(error),
-                   100 * relative));
+  text(fmt::format("truth {}  true error {}", rgb_text(*i.truth), error_text(i, error, *i.truth)));
 }
 
-void cut(const Workbench& workbench, const Inspection& i) {
+void cut(Workbench& workbench, const Inspection& i) {
+  if (workbench.sources(workbench.state.display, Layer::image).frame->sums_all_lights())
+    quiet("the picture sums all lights; by the tree it would be:");
   std::string line = fmt::format("cut {} of {} lights, {} shadow rays", i.clusters.size(),
                                  workbench.scene()->scene().lights.size(), i.shadow_rays);
   if (i.clairvoyant) line += fmt::format(", clairvoyant {}", *i.clairvoyant);
@@ -69,7 +76,7 @@ void cut(const Workbench& workbench, const Inspection& i) {
                     100 * double(i.config.threshold)));
 }
 
-void cluster(const Workbench& workbench) {
+void cluster(Workbench& workbench) {
   const auto row = workbench.selected_row();
   if (!row) {
     quiet("no cluster selected: click one in the tree, the table or the scene");
@@ -105,6 +112,10 @@ void draw_pixel_panel(Workbench& workbench) {
   else
     text(fmt::format("pixel {}, {}", s.pixel->x, s.pixel->y));
   ImGui::SameLine();
+  if (!result->failure.empty()) {
+    ImGui::TextColored(violation_text, "%s", result->failure.c_str());
+    return;
+  }
   if (!i.sees_surface) {
     quiet("sees no surface");
     return;

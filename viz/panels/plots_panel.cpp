@@ -97,12 +97,13 @@ void PlotsPanel::draw(Workbench& workbench) {
 void PlotsPanel::draw_histogram(Workbench& workbench) {
   const LayerSources sources = workbench.sources(workbench.state.display, Layer::cut_size);
   ImGui::TextUnformatted(
-      fmt::format("Lights evaluated, {}", name_of(workbench.state.display)).c_str());
+      fmt::format("Lights evaluated, {}", lightcuts::name_of(workbench.state.display.method()))
+          .c_str());
   const bool complete = sources.frame->complete();
   // While the picture grows, every now and then.
   const std::uint64_t version = complete ? sources.frame->version() : sources.frame->version() / 64;
-  if (histogram_of_ == sources.frame.get() && histogram_version_ == version) return;
-  histogram_of_ = sources.frame.get();
+  if (histogram_of_ == sources.frame && histogram_version_ == version) return;
+  histogram_of_ = sources.frame;
   histogram_version_ = version;
   histogram_ = cut_size_plot(layer_values(Layer::cut_size, sources));
 }

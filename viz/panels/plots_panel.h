@@ -25,7 +25,7 @@ private:
   bool started_ = false;
   Plot histogram_;
   std::uint64_t histogram_version_ = 0;
-  const void* histogram_of_ = nullptr;
+  std::shared_ptr<const Frame> histogram_of_;
 };
 
 } // namespace lightcuts::viz

@@ -16,7 +16,8 @@ namespace {
 
 void slider(Workbench& workbench, const Inspection& inspection) {
   const int last = int(inspection.final_size);
-  int step = std::min(int(workbench.state.step.value_or(inspection.final_size)), last);
+  int step =
+      int(std::min(workbench.state.step.value_or(inspection.final_size), inspection.final_size));
   const auto set = [&](int to) {
     to = std::clamp(to, 1, last);
     workbench.state.step = to == last ? std::nullopt : std::optional(std::uint32_t(to));

@@ -111,7 +111,7 @@ void ScenePanel::draw_legend(const Workbench& workbench) const {
                      options_.colour_by == ClusterColour::lights ? " lights" : " radiance");
 }
 
-Overlay ScenePanel::overlay_for(const Workbench& workbench) const {
+Overlay ScenePanel::overlay_for(Workbench& workbench) const {
   const auto& result = workbench.inspection();
   if (!result || !result->inspection.sees_surface) return {};
   OverlayOptions options = options_;

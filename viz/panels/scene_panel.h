@@ -39,7 +39,7 @@ private:
   void render(Workbench& workbench, glm::uvec2 size);
   void handle_mouse(Workbench& workbench, const glm::dvec2& origin, glm::uvec2 size);
   void pick(Workbench& workbench, const glm::dvec2& at, glm::uvec2 size) const;
-  [[nodiscard]] Overlay overlay_for(const Workbench& workbench) const;
+  [[nodiscard]] Overlay overlay_for(Workbench& workbench) const;
 
   std::shared_ptr<const OpenedScene> scene_;
   std::unique_ptr<ScenePicture> picture_;

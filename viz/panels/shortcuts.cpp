@@ -27,6 +27,9 @@ constexpr std::array shortcuts{
     Shortcut{"middle drag", "move the camera sideways"},
     Shortcut{"Ctrl+wheel", "move the camera nearer, away"},
     Shortcut{"R", "the scene's own camera"},
+    Shortcut{"tree: wheel, drag", "zoom, move; Shift+wheel: up and down; double click: all"},
+    Shortcut{"colour bar: drag", "the range, upper or lower end; double click: automatic"},
+    Shortcut{"Ctrl+click", "type a slider's number"},
     Shortcut{"Ctrl+O", "open a scene or counterexample; files can be dropped, too"},
     Shortcut{"Ctrl+S", "save the view: PNG, EXR with all layers, JSON"},
     Shortcut{"Esc", "let go of the cluster, then of the pixel"},
@@ -70,7 +73,8 @@ void move_step(Workbench& workbench, int by) {
   const auto& result = workbench.inspection();
   if (!result || result->inspection.final_size == 0) return;
   const int last = int(result->inspection.final_size);
-  const int step = std::clamp(int(workbench.state.step.value_or(last)) + by, 1, last);
+  const auto now = std::min<std::uint32_t>(workbench.state.step.value_or(last), unsigned(last));
+  const int step = std::clamp(int(now) + by, 1, last);
   workbench.state.step = step == last ? std::nullopt : std::optional(std::uint32_t(step));
 }
 
@@ -90,7 +94,10 @@ void handle_view_keys(Workbench& workbench) {
   if (pressed_named(ImGuiKey_PageDown)) s.layer = next_layer(s.layer, 1);
   if (pressed_named(ImGuiKey_PageUp)) s.layer = next_layer(s.layer, -1);
   if (pressed('S')) s.split = !s.split;
-  if (pressed('L')) s.colours.logarithmic = !s.colours.logarithmic;
+  if (pressed('L')) {
+    s.colours.logarithmic = !s.colours.logarithmic;
+    s.colours.automatic_range = true; // the other one may begin below 0
+  }
   if (pressed('F')) s.image.fits = true;
   if (pressed('1') && workbench.scene()) {
     const glm::dvec2 middle = 0.5 * glm::dvec2(workbench.scene()->scene().image_size);

@@ -13,9 +13,8 @@ bool is_complete(const LayerSources& sources) {
 
 void ShownPicture::refresh(Workbench& workbench, const Wish& wish) {
   const LayerSources sources = workbench.sources(wish.display, wish.layer);
-  const Identity identity{sources.frame.get(), sources.reference.get(), sources.truth.get(),
-                          wish.layer,          workbench.state.colours, wish.exposure,
-                          wish.scale};
+  const Identity identity{sources.frame,           sources.reference, sources.truth, wish.layer,
+                          workbench.state.colours, wish.exposure,     wish.scale};
   const std::uint64_t source_version = version_of(wish.layer, sources);
   const bool same = identity == identity_ && version_ > 0;
   if (same && source_version == source_version_) return;
@@ -30,7 +29,7 @@ void ShownPicture::refresh(Workbench& workbench, const Wish& wish) {
 void ShownPicture::refresh(const std::vector<glm::vec3>& image, glm::uvec2 size,
                            std::uint64_t version, const ColourSettings& colours,
                            std::optional<float> exposure) {
-  const Identity identity{&image, nullptr, nullptr, Layer::image, colours, exposure, {}};
+  const Identity identity{{}, {}, {}, Layer::image, colours, exposure, {}};
   if (identity == identity_ && version_ > 0 && version == source_version_) return;
   identity_ = identity;
   source_version_ = version;

@@ -41,9 +41,7 @@ private:
 
   /// What the texture was made from.
   struct Identity {
-    const void* frame = nullptr;
-    const void* reference = nullptr;
-    const void* truth = nullptr;
+    std::shared_ptr<const void> frame, reference, truth;
     Layer layer = Layer::image;
     ColourSettings colours;
     std::optional<float> exposure;

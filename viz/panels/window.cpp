@@ -2,6 +2,7 @@
 #include "window.h"
 
 #include <array>
+#include <cstdlib>
 #include <memory>
 #include <set>
 #include <string>
@@ -67,12 +68,12 @@ Connection& connection_of(GLFWwindow* window) {
   return *static_cast<Connection*>(glfwGetWindowUserPointer(window));
 }
 
-/// ImGui looks at keys once per frame: a key that is released in the frame in which it was pressed
+/// ImGui looks at keys once per frame: what is released in a frame in which something was pressed
 /// stays down until the next one.
 void pass_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
   Connection& connection = connection_of(window);
   if (action == GLFW_PRESS) connection.pressed.insert(key);
-  if (action == GLFW_RELEASE && connection.pressed.contains(key))
+  if (action == GLFW_RELEASE && !connection.pressed.empty()) // in their order
     connection.deferred.push_back({key, scancode, action, mods});
   else
     ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
@@ -136,9 +137,9 @@ void wait_for_events(FramePacer& pacer, bool busy) {
 
 } // namespace
 
-AppSettings run_window(const AppSettings& settings, std::optional<float> scale,
-                       const std::filesystem::path& output,
-                       const std::function<void(App&)>& start) {
+void run_window(const AppSettings& settings, std::optional<float> scale,
+                const std::filesystem::path& output, const std::function<void(App&)>& start,
+                const std::function<void(const AppSettings&)>& end) {
   const Glfw glfw;
   const WindowHandle window = make_window(settings);
   Gui gui(scale_of(window.get(), scale));
@@ -154,11 +155,15 @@ AppSettings run_window(const AppSettings& settings, std::optional<float> scale,
       draw(window.get(), gui, app, size);
     pacer.drawn(FramePacer::Clock::now());
   }
-  AppSettings result = app.settings();
+  AppSettings left = app.settings();
   glm::ivec2 size(0);
   glfwGetWindowSize(window.get(), &size.x, &size.y);
-  if (size.x > 0 && size.y > 0) result.window_size = size;
-  return result;
+  if (size.x > 0 && size.y > 0) left.window_size = size;
+  glfwHideWindow(window.get());
+  glfwPollEvents();
+  end(left);
+  // A scene that is being opened cannot be left, and nobody waits for it.
+  if (app.workbench().opening()) std::_Exit(0);
 }
 
 } // namespace lightcuts::viz
