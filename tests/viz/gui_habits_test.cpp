@@ -97,6 +97,33 @@ TEST(GuiHabits, EndsOfTheRangeAreDragged) {
   EXPECT_TRUE(robot.state().colours.automatic_range);
 }
 
+TEST(GuiHabits, SavedRasterPreviewIsTheImageShown) {
+  const TemporaryFolder folder;
+  ViewState state = small_room();
+  state.display = DisplayMethod::raster();
+  Robot robot(state, {1280, 800}, folder.path);
+  press_with_control(robot, 'S');
+  const Film film =
+      read_exr(folder.path / "cloud-lights-300-blocks-5-material-glossy-raster-image.exr");
+  const auto& image = robot.app().image().shown().values().image;
+  for (std::size_t i = 0; i < film.pixel_count(); ++i)
+    ASSERT_EQ(film.channel("G")[i], image[i].g); // no NaN
+  EXPECT_EQ(film.metadata.at("method"), "raster");
+}
+
+TEST(GuiHabits, LogarithmsTakeTheWholeRangeAgain) {
+  ViewState state = small_room();
+  state.layer = Layer::cut_size;
+  state.colours.automatic_range = false;
+  state.colours.lo = 0;
+  state.colours.hi = 100;
+  Robot robot(state);
+  robot.press('L');
+  EXPECT_TRUE(robot.state().colours.logarithmic);
+  EXPECT_TRUE(robot.state().colours.automatic_range); // from 0 there is no logarithm
+  EXPECT_NO_THROW((void)read_view_state("saved", view_state_json(robot.state())));
+}
+
 TEST(GuiHabits, PageKeysGoThroughTheLayers) {
   Robot robot(small_room());
   std::vector<Layer> seen;

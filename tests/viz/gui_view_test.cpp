@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "gui_robot.h"
+#include <lightcuts/render/camera.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -141,6 +142,18 @@ TEST(GuiView, CameraOrbitsByRasterAndIsThenTraced) {
   robot.settle();
   EXPECT_EQ(robot.workbench().camera(), before);
   EXPECT_EQ(robot.app().image().shown().values().image, picture);
+}
+
+TEST(GuiView, CameraStopsWhereFloatsEnd) {
+  Robot robot(small_room());
+  const glm::dvec2 at = robot.on_screen({30, 20});
+  robot.hold(GLFW_KEY_LEFT_CONTROL, true);
+  for (int i = 0; i < 20; ++i) robot.wheel(at, 10); // onto the target
+  robot.hold(GLFW_KEY_LEFT_CONTROL, false);
+  robot.drag(at, at + glm::dvec2(0, 240), 1); // would be upon it, or look along `up`
+  robot.drag(at, at + glm::dvec2(-50, -400), 1);
+  robot.settle();
+  EXPECT_NO_THROW(PinholeView(robot.workbench().camera(), {4, 4}));
 }
 
 TEST(GuiView, QuestionMarkListsTheShortcuts) {
