@@ -13,7 +13,7 @@
 namespace lightcuts::viz {
 namespace {
 
-void text(const std::string& line) { ImGui::TextUnformatted(line.c_str()); }
+void text(const std::string& line) { ImGui::TextWrapped("%s", line.c_str()); }
 void quiet(const std::string& line) { ImGui::TextColored(quiet_text, "%s", line.c_str()); }
 
 struct LobeName {
