@@ -175,7 +175,8 @@ TEST(Picking, DirectionalLightsAreAroundTheScene) {
   OrbitCamera camera;
   camera.distance = 30;
   const glm::dvec2 place = camera.screen_position(shown_position(lights[1], scene), image).value();
-  EXPECT_EQ(pick_light(camera.frame(image), image, lights, scene, place, 1), 1U);
+  const std::array places{shown_position(lights[0], scene), shown_position(lights[1], scene)};
+  EXPECT_EQ(pick_point(camera.frame(image), image, places, place, 1), 1U);
 }
 
 } // namespace

@@ -43,14 +43,6 @@ std::optional<std::size_t> pick_point(const ViewFrame& frame, glm::uvec2 size,
   return pick.best();
 }
 
-std::optional<std::size_t> pick_light(const ViewFrame& frame, glm::uvec2 size,
-                                      const LightSet& lights, const Box& scene,
-                                      const glm::dvec2& mouse, double radius) {
-  Pick pick(frame, size, mouse, radius);
-  for (std::size_t i = 0; i < lights.size(); ++i) pick.offer(i, shown_position(lights[i], scene));
-  return pick.best();
-}
-
 glm::dvec3 shown_position(const Light& light, const Box& scene) {
   if (light.kind != LightKind::directional) return light.position;
   const double diagonal = diagonal_length(scene);

@@ -21,11 +21,6 @@ namespace lightcuts::viz {
                                                     std::span<const glm::dvec3> points,
                                                     const glm::dvec2& mouse, double radius);
 
-/// The same for lights, where ScenePicture shows them.
-[[nodiscard]] std::optional<std::size_t> pick_light(const ViewFrame& frame, glm::uvec2 size,
-                                                    const LightSet& lights, const Box& scene,
-                                                    const glm::dvec2& mouse, double radius);
-
 /// Where the 3D view shows a light, metres: its position; a directional one where its light comes
 /// from, as far from the centre of the scene's bounds as their diagonal is long, or 1 m from the
 /// origin in a scene without extent.

@@ -2,8 +2,11 @@
 #include "layer_values.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+
+#include "histogram.h"
 
 namespace lightcuts::viz {
 namespace {
@@ -158,9 +161,7 @@ LayerStatistics statistics_of(const LayerValues& layer) {
       count(layer.values[i]);
   }
   if (finite.empty()) return s;
-  const auto most = finite.begin() + std::ptrdiff_t(std::ceil(0.995 * double(finite.size()))) - 1;
-  std::nth_element(finite.begin(), most, finite.end());
-  s.most_below = *most;
+  s.most_below = percentiles(finite, std::array{99.5}).front();
   s.least = least;
   s.largest = largest;
   s.least_positive = std::isinf(positive) ? 0 : positive;

@@ -20,10 +20,4 @@ void tooltip(const char* text) {
   ImGui::EndTooltip();
 }
 
-void help_mark(const char* text) {
-  ImGui::SameLine();
-  ImGui::TextDisabled("(?)");
-  tooltip(text);
-}
-
 } // namespace lightcuts::viz

@@ -30,7 +30,4 @@ void draw_label(const ImVec2& at, const char* text);
 /// A tooltip for the last item, of at most some forty letters a line.
 void tooltip(const char* text);
 
-/// A question mark that explains on hovering, on the same line.
-void help_mark(const char* text);
-
 } // namespace lightcuts::viz

@@ -25,14 +25,9 @@ Plot cut_size_plot(const LayerValues& layer) {
   Plot plot;
   plot.x_label = "clusters";
   plot.y_label = "pixels";
-  PlotSeries bars{"cut size", {}, {}, {}, PlotKind::bars};
-  for (std::uint32_t i = 0; i < histogram.range.bins; ++i) {
-    bars.x.push_back(0.5 * (histogram.range.edge(i) + histogram.range.edge(i + 1)));
-    bars.y.push_back(double(histogram.counts[i]));
-  }
   double sum = 0;
   for (const float v : values) sum += v;
-  plot.series.push_back(std::move(bars));
+  plot.series.push_back(bars_of(histogram, "cut size"));
   if (!values.empty())
     plot.series.push_back({"mean", {sum / double(values.size())}, {0}, {}, PlotKind::vertical});
   return plot;
@@ -53,14 +48,19 @@ std::vector<PlotSeries> lines(const oracle::Report& report, X&& x, Y&& y) {
   return all;
 }
 
-Plot error_against_time(const oracle::Report& report) {
+/// Mean error against x() of each run, both logarithmic.
+template <class X>
+Plot error_plot(const oracle::Report& report, const char* x_label, X&& x) {
   Plot plot;
-  plot.x_label = "seconds";
+  plot.x_label = x_label;
   plot.y_label = "mean relative error";
   plot.x_logarithmic = plot.y_logarithmic = true;
-  plot.series = lines(
-      report, [](const oracle::Run& r) { return r.render_seconds; },
-      [](const oracle::Run& r) { return r.mean_relative_error; });
+  plot.series = lines(report, x, [](const oracle::Run& r) { return r.mean_relative_error; });
+  return plot;
+}
+
+Plot error_against_time(const oracle::Report& report) {
+  Plot plot = error_plot(report, "seconds", [](const oracle::Run& r) { return r.render_seconds; });
   for (const oracle::Run& run : report.runs)
     if (run.method == name_of(Method::reference))
       plot.series.push_back({"reference", {run.render_seconds}, {0}, {}, PlotKind::vertical});
@@ -68,14 +68,7 @@ Plot error_against_time(const oracle::Report& report) {
 }
 
 Plot error_against_threshold(const oracle::Report& report) {
-  Plot plot;
-  plot.x_label = "threshold";
-  plot.y_label = "mean relative error";
-  plot.x_logarithmic = plot.y_logarithmic = true;
-  plot.series = lines(
-      report, [](const oracle::Run& r) { return r.threshold; },
-      [](const oracle::Run& r) { return r.mean_relative_error; });
-  return plot;
+  return error_plot(report, "threshold", [](const oracle::Run& r) { return r.threshold; });
 }
 
 } // namespace

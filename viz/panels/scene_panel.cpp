@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
 #include <imgui.h>
 #include <lightcuts/render/bounds.h>
 
+#include "gl/picking.h"
 #include "model/value_text.h"
 #include "panels/drawing.h"
 
@@ -158,13 +158,11 @@ void ScenePanel::handle_mouse(Workbench& workbench, const glm::dvec2& origin, gl
 void ScenePanel::pick(Workbench& workbench, const glm::dvec2& at, glm::uvec2 size) const {
   const auto& result = workbench.inspection();
   if (!result) return;
-  double nearest = click_reach;
-  for (const ClusterRow& row : result->inspection.clusters) {
-    const auto place = camera_.screen_position(glm::dvec3(row.representative_position), size);
-    if (!place || glm::distance(*place, at) >= nearest) continue;
-    nearest = glm::distance(*place, at);
-    workbench.state.node = row.node;
-  }
+  const std::vector<ClusterRow>& rows = result->inspection.clusters;
+  std::vector<glm::dvec3> places;
+  for (const ClusterRow& row : rows) places.emplace_back(row.representative_position);
+  if (const auto picked = pick_point(camera_.frame(size), size, places, at, click_reach))
+    workbench.state.node = rows[*picked].node;
 }
 
 } // namespace lightcuts::viz
