@@ -79,6 +79,9 @@ std::vector<std::string> layer_names() {
 std::vector<std::string> tab_names() {
   return listed(tabs, [](std::size_t i) { return tabs[i].first; });
 }
+std::vector<std::string> builder_names() {
+  return listed(all_builders, [](std::size_t i) { return name_of(all_builders[i]); });
+}
 std::vector<std::string> map_names() {
   return listed(all_colour_maps, [](std::size_t i) { return name_of(all_colour_maps[i]); });
 }
@@ -111,6 +114,10 @@ void add_shading_options(CLI::App& command, Options& options) {
                   "error bound allowed per cluster, relative to the pixel's total; auto: by scene")
       ->check(check_threshold)
       ->capture_default_str();
+  command
+      .add_option("--builder", options.builder,
+                  "how lights are clustered in a tree; default: greedy")
+      ->check(CLI::IsMember(builder_names()));
   command.add_option("--max-cut", options.max_cut, "largest number of clusters; default: 5000")
       ->check(CLI::PositiveNumber);
   command.add_flag("--always-tree", options.always_tree,
@@ -190,6 +197,7 @@ ViewState state_for(const Options& options, const AppSettings& settings) {
     state.compared = *display_named(options.compared);
   }
   if (options.threshold != "auto") state.shading.threshold = parse_threshold(options.threshold);
+  if (!options.builder.empty()) state.open.builder = *builder_named(options.builder);
   if (options.max_cut) state.shading.max_cut = *options.max_cut;
   if (options.always_tree) state.shading.tree_use = TreeUse::always;
   if (!options.layer.empty()) state.layer = *layer_named(options.layer);

@@ -14,7 +14,8 @@ namespace lightcuts::viz {
 
 /// The command line of lightcuts-viz.
 struct Options {
-  std::string scene, method, compared, layer, pixel, threshold = "auto", size, image_size, state;
+  std::string scene, method, compared, layer, pixel, builder, threshold = "auto", size, image_size,
+                                                              state;
   std::optional<std::uint32_t> node, step, max_cut;
   std::uint32_t lights = 0;
   bool always_tree = false, logarithmic = false;

@@ -235,6 +235,18 @@ void add_threshold_option(CLI::App& command, CommonOptions& options) {
       ->capture_default_str();
 }
 
+void add_builder_option(CLI::App& command, CommonOptions& options) {
+  std::vector<std::string> names;
+  for (const Builder b : all_builders) names.emplace_back(name_of(b));
+  command.add_option("--builder", options.builder, "how lights are clustered in a tree")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+}
+
+BuildConfig build_config_for(const CommonOptions& options) {
+  return {options.seed, *builder_named(options.builder)};
+}
+
 void add_json_folder_option(CLI::App& command, CommonOptions& options) {
   command.add_option("--out", options.out,
                      "folder to write the results to as " + command.get_name() +

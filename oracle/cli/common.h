@@ -13,6 +13,7 @@
 #include <lightcuts/render/needs.h>
 #include <lightcuts/render/output_folder.h>
 #include <lightcuts/render/scene.h>
+#include <lightcuts/tree_builder.h>
 #include <nlohmann/json.hpp>
 
 namespace lightcuts::cli {
@@ -24,6 +25,7 @@ enum Exit { all_holds = 0, violated = 1, usage = 2, bad_input = 3, internal_erro
 struct CommonOptions {
   std::string scene;
   std::uint64_t seed = 1;
+  std::string builder = name_of(Builder::greedy);
   unsigned threads = 0;
   std::string threshold = "auto";
   std::string cases = "1e7";
@@ -46,7 +48,12 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_seed_option(CLI::App& command, CommonOptions& options);
 void add_json_option(CLI::App& command, CommonOptions& options);
 void add_threshold_option(CLI::App& command, CommonOptions& options);
+/// --builder: of the light tree.
+void add_builder_option(CLI::App& command, CommonOptions& options);
 void add_out_option(CLI::App& command, CommonOptions& options);
+
+/// What --seed and --builder ask for.
+[[nodiscard]] BuildConfig build_config_for(const CommonOptions& options);
 
 /// --threshold, or what suits the scene (default_threshold()) for "auto".
 [[nodiscard]] float threshold_for(const CommonOptions& options, const SceneView& view);

@@ -28,7 +28,7 @@ Facts facts_of(const Scene& scene, const CommonOptions& options) {
   facts.box = scene_bounds(scene.mesh);
   if (scene.lights.empty()) return facts;
   const SceneView view(scene);
-  const LightTree tree = build(scene.lights, {options.seed});
+  const LightTree tree = build(scene.lights, build_config_for(options));
   const float threshold = threshold_for(options, view);
   const Needs needs = find_needs(view, tree, {threshold, options.max_cut, 0});
   facts.black_level = needs.black_level;
@@ -116,6 +116,7 @@ void add_info_command(CLI::App& app, Action& chosen) {
       app.add_subcommand("info", "Say what is in a scene, what it needs, and what is left out.");
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
+  add_builder_option(*command, *options);
   add_json_folder_option(*command, *options);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

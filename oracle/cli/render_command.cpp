@@ -30,7 +30,7 @@ int run(const RenderOptions& options) {
   const std::filesystem::path out = output_folder_for(options);
   OutputFolder folder(out);
   const SceneView view(scene);
-  const LightTree tree = build(scene.lights, {options.seed});
+  const LightTree tree = build(scene.lights, build_config_for(options));
   RenderConfig config;
   config.method = *method_named(options.method);
   config.cut = {threshold_for(options, view), options.max_cut, 0};
@@ -84,6 +84,7 @@ void add_render_command(CLI::App& app, Action& chosen) {
       app.add_subcommand("render", "Render a scene: EXR with all layers, PNG and heat maps.");
   add_common_options(*command, *options);
   add_threshold_option(*command, *options);
+  add_builder_option(*command, *options);
   add_out_option(*command, *options);
   command->add_option("--method", options->method, "how pixels are lit")
       ->check(CLI::IsMember(method_names()))

@@ -40,6 +40,7 @@ std::vector<float> thresholds_of(const ReportOptions& options, const SceneView& 
 oracle::MeasureConfig config_of(const ReportOptions& options, const SceneView& view) {
   oracle::MeasureConfig config;
   config.seed = options.seed;
+  config.builder = build_config_for(options).builder;
   config.max_cut = options.max_cut;
   config.threads = options.threads;
   config.repeats = options.repeats;
@@ -84,6 +85,7 @@ void add_report_command(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "report", "Measure error against run time: report.html, .json, .csv, EXR and PNG.");
   add_common_options(*command, *options);
+  add_builder_option(*command, *options);
   add_out_option(*command, *options);
   command->add_option("--methods", options->methods, "rows of the table, separated by commas")
       ->delimiter(',')

@@ -31,17 +31,26 @@ namespace {
 template <class Importance>
 class LibrarySubject : public RulesSubject<LightcutsRules, Importance> {
 public:
-  using RulesSubject<LightcutsRules, Importance>::RulesSubject;
+  explicit LibrarySubject(std::string name, Builder builder = Builder::greedy)
+      : RulesSubject<LightcutsRules, Importance>(std::move(name)), builder_(builder) {}
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
-    return std::make_unique<BatchedTree<Importance>>(lightcuts::build(lights, {seed}));
+    return std::make_unique<BatchedTree<Importance>>(lightcuts::build(lights, {seed, builder_}));
   }
+
+private:
+  Builder builder_;
 };
 
 } // namespace
 
 std::unique_ptr<Subject> library_subject() {
   return std::make_unique<LibrarySubject<HierarchicalImportance<AnyFeatures>>>("lightcuts");
+}
+
+std::unique_ptr<Subject> locally_ordered_subject() {
+  return std::make_unique<LibrarySubject<HierarchicalImportance<AnyFeatures>>>(
+      name_of(Builder::locally_ordered), Builder::locally_ordered);
 }
 
 std::unique_ptr<Subject> stochastic_intensity_subject() {

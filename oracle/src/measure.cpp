@@ -174,6 +174,7 @@ Report facts(const SceneView& view, const MeasureConfig& config) {
   Report report;
   report.scene = view.scene().name;
   report.seed = config.seed;
+  report.builder = name_of(config.builder);
   report.lights = view.scene().lights.size();
   report.triangles = view.scene().mesh.triangles.size();
   report.size = view.size();
@@ -238,7 +239,7 @@ KernelSaving measure_kernels(const Scene& scene, const LightTree& tree, const Ne
 
 Measurement measure(const SceneView& view, const MeasureConfig& config) {
   const auto start = std::chrono::steady_clock::now();
-  const LightTree tree = build(view.scene().lights, {config.seed});
+  const LightTree tree = build(view.scene().lights, {config.seed, config.builder});
   const double build_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (tree.empty()) throw InputError(view.scene().name + ": no lights");

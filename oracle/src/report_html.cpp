@@ -31,7 +31,8 @@ std::string facts(const Report& report) {
          fact("pixels that see a surface", grouped(report.surface_pixels)) +
          fact("threads", std::to_string(report.threads)) +
          fact("runs per row", std::to_string(report.repeats)) +
-         fact("seed", std::to_string(report.seed)) + "</dl>\n";
+         fact("builder of the tree", report.builder) + fact("seed", std::to_string(report.seed)) +
+         "</dl>\n";
 }
 
 constexpr double small_error = 0.01;

@@ -34,6 +34,7 @@ std::string report_json(const Report& report) {
   json["schema"] = "lightcuts-oracle/report/1";
   json["scene"] = report.scene;
   json["seed"] = report.seed;
+  json["builder"] = report.builder;
   json["lights"] = report.lights;
   json["triangles"] = report.triangles;
   json["width"] = report.size.x;

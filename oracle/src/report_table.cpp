@@ -119,11 +119,11 @@ std::string wrapped(std::string_view text, std::string_view indent) {
 
 std::string facts_of(const Report& report) {
   return fmt::format("{}: {} lights, {} triangles, {} x {} pixels ({} see a surface), "
-                     "{} {}, median of {} {}, seed {}",
+                     "{} {}, median of {} {}, {} builder, seed {}",
                      printable(report.scene), grouped(report.lights), grouped(report.triangles),
                      report.size.x, report.size.y, grouped(report.surface_pixels), report.threads,
                      report.threads == 1 ? "thread" : "threads", report.repeats,
-                     report.repeats == 1 ? "run" : "runs", report.seed);
+                     report.repeats == 1 ? "run" : "runs", report.builder, report.seed);
 }
 
 } // namespace

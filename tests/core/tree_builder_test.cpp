@@ -11,27 +11,10 @@
 #include <rapidcheck/gtest.h>
 
 #include "../support/generators.h"
-#include <lightcuts/oracle/naive_tree.h>
+#include "../support/naive_difference.h"
 
 namespace lightcuts {
 namespace {
-
-/// Empty where the subtree is the naive builder's, to the bit; else what differs.
-std::string difference(const LightTree& tree, std::uint32_t i,
-                       const std::vector<oracle::NaiveCluster>& clusters, std::size_t at) {
-  const oracle::NaiveCluster& naive = clusters[at];
-  const TreeNode& node = tree.node(i);
-  if (node.box != naive.box) return "box";
-  if (node.intensity != naive.intensity) return "intensity";
-  if (node.is_leaf() != (naive.children[0] < 0)) return "topology";
-  if (node.is_leaf()) return node.representative == naive.first ? "" : "order of lights";
-  for (std::uint32_t child = 0; child < 2; ++child)
-    if (auto d = difference(tree, node.first_child + child, clusters,
-                            std::size_t(naive.children[child]));
-        !d.empty())
-      return d;
-  return "";
-}
 
 std::string difference_from_naive_tree(const LightSet& lights) {
   const auto clusters = oracle::naive_clusters(lights);
@@ -57,6 +40,11 @@ TEST(Build, YieldsTheNaiveTreeOfManyCoincidentAndBlackLights) {
   EXPECT_EQ(difference_from_naive_tree(lights), "");
 }
 
+Builder any_builder() {
+  return *rc::gen::elementOf(
+      std::vector<Builder>(std::begin(all_builders), std::end(all_builders)));
+}
+
 std::set<std::uint32_t> lights_below(const LightTree& tree, std::uint32_t i) {
   const TreeNode& node = tree.node(i);
   if (node.is_leaf()) return {node.representative};
@@ -66,7 +54,7 @@ std::set<std::uint32_t> lights_below(const LightTree& tree, std::uint32_t i) {
 }
 
 RC_GTEST_PROP(Build, KeepsKindsApartBelowTheMixedClustersAtTheTop, ()) {
-  const LightTree tree = build((*gen::scene(60)).light_set());
+  const LightTree tree = build((*gen::scene(60)).light_set(), {1, any_builder()});
   int mixed = 0;
   for (const TreeNode& node : tree.nodes()) {
     if (node.is_leaf()) {
@@ -83,7 +71,7 @@ RC_GTEST_PROP(Build, KeepsKindsApartBelowTheMixedClustersAtTheTop, ()) {
 
 RC_GTEST_PROP(Build, PutsEveryLightInOneLeaf, ()) {
   const LightSet lights = (*gen::scene(60)).light_set();
-  const LightTree tree = build(lights);
+  const LightTree tree = build(lights, {1, any_builder()});
   RC_ASSERT(tree.nodes().size() == 2 * lights.size() - 1);
   RC_ASSERT(lights_below(tree, 0).size() == lights.size());
   RC_ASSERT(tree.node(0).light_count == lights.size());
@@ -97,7 +85,7 @@ RC_GTEST_PROP(Build, PutsEveryLightInOneLeaf, ()) {
 }
 
 RC_GTEST_PROP(Build, MakesEveryNodeTheUnionOfTheTwoChildrenThatFollowIt, ()) {
-  const LightTree tree = build((*gen::scene(60)).light_set());
+  const LightTree tree = build((*gen::scene(60)).light_set(), {1, any_builder()});
   std::set<std::uint32_t> children;
   for (std::uint32_t i = 0; i < tree.nodes().size(); ++i) {
     const TreeNode& node = tree.node(i);
@@ -116,7 +104,7 @@ RC_GTEST_PROP(Build, MakesEveryNodeTheUnionOfTheTwoChildrenThatFollowIt, ()) {
 
 RC_GTEST_PROP(Build, TakesTheRepresentativeOfOneChildAndNeverABlackOne, ()) {
   const LightSet lights = (*gen::scene(60)).light_set();
-  const LightTree tree = build(lights, {*rc::gen::arbitrary<std::uint64_t>()});
+  const LightTree tree = build(lights, {*rc::gen::arbitrary<std::uint64_t>(), any_builder()});
   for (std::uint32_t i = 0; i < tree.nodes().size(); ++i) {
     const TreeNode& node = tree.node(i);
     const std::uint32_t chosen = node.representative;
@@ -130,8 +118,9 @@ RC_GTEST_PROP(Build, TakesTheRepresentativeOfOneChildAndNeverABlackOne, ()) {
 
 RC_GTEST_PROP(Build, DependsOnTheSeedForRepresentativesOnly, ()) {
   const LightSet lights = (*gen::scene(40)).light_set();
-  const LightTree a = build(lights, {*rc::gen::arbitrary<std::uint64_t>()});
-  const LightTree b = build(lights, {*rc::gen::arbitrary<std::uint64_t>()});
+  const Builder builder = any_builder();
+  const LightTree a = build(lights, {*rc::gen::arbitrary<std::uint64_t>(), builder});
+  const LightTree b = build(lights, {*rc::gen::arbitrary<std::uint64_t>(), builder});
   for (std::uint32_t i = 0; i < a.nodes().size(); ++i) {
     RC_ASSERT(a.node(i).box == b.node(i).box);
     RC_ASSERT(a.node(i).first_child == b.node(i).first_child);
@@ -155,17 +144,27 @@ TEST(Build, ChoosesRepresentativesInProportionToIntensity) {
   }
 }
 
-TEST(Build, OfNoLightsIsEmpty) { EXPECT_TRUE(build({}).empty()); }
+TEST(Build, OfNoLightsIsEmpty) {
+  for (const Builder builder : all_builders) EXPECT_TRUE(build({}, {1, builder}).empty());
+}
+
+TEST(Build, KnowsItsBuildersByName) {
+  for (const Builder builder : all_builders) EXPECT_EQ(builder_named(name_of(builder)), builder);
+  EXPECT_FALSE(builder_named("Greedy"));
+}
 
 TEST(Build, OfAHundredThousandLightsIsQuick) {
   LightSet lights;
   gen::Dice dice(7);
   for (int i = 0; i < 100000; ++i) lights.add_omni(dice.in_cube(), glm::vec3(1));
-  const auto start = std::chrono::steady_clock::now();
-  const LightTree tree = build(lights);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  std::cout << "100000 lights: " << seconds.count() << " s\n"; // told, not judged: machines differ
-  EXPECT_EQ(tree.node(0).light_count, 100000U);
+  for (const Builder builder : all_builders) {
+    const auto start = std::chrono::steady_clock::now();
+    const LightTree tree = build(lights, {1, builder});
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    // Told, not judged: machines differ.
+    std::cout << "100000 lights, " << name_of(builder) << ": " << seconds.count() << " s\n";
+    EXPECT_EQ(tree.node(0).light_count, 100000U);
+  }
 }
 
 } // namespace

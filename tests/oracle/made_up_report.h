@@ -32,6 +32,7 @@ inline Run made_up_run(const char* method, double threshold) {
 inline Report made_up_report() {
   Report report;
   report.scene = "room";
+  report.builder = "greedy";
   report.lights = 20000;
   report.triangles = 1234567;
   report.size = {640, 360};

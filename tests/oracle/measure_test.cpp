@@ -53,6 +53,20 @@ TEST(Measure, HasTheRowsAskedFor) {
   EXPECT_THAT(rows_of(measured(scene, config).report), ElementsAre(std::pair("reference", 0)));
 }
 
+TEST(Measure, BuildsTheTreeAsAsked) {
+  MeasureConfig config = quick();
+  config.methods = {Method::lightcuts};
+  config.thresholds = {0.5F};
+  const Scene scene = many_lights();
+  const auto cut_size = [&](Builder builder) {
+    config.builder = builder;
+    const Report report = measured(scene, config).report;
+    EXPECT_EQ(report.builder, name_of(builder));
+    return report.runs.front().mean_cut_size;
+  };
+  EXPECT_NE(cut_size(Builder::greedy), cut_size(Builder::locally_ordered));
+}
+
 TEST(Measure, MeasuresEveryMethod) {
   MeasureConfig config = quick();
   config.methods.assign(std::begin(all_methods), std::end(all_methods));

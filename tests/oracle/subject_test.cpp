@@ -148,6 +148,18 @@ TEST(LibrarySubject, SeesAndRendersAsTheLibraryDoes) {
   EXPECT_EQ(subject->render(view, tree, {}).radiance, render(view, tree, {}).radiance);
 }
 
+TEST(LocallyOrderedSubject, HasTheOtherBuildersTree) {
+  LightSet lights;
+  for (int i = 0; i < 40; ++i) lights.add_omni({i, i * i % 7, 0}, glm::vec3(float(1 + i % 3)));
+  const auto subject = locally_ordered_subject();
+  EXPECT_EQ(subject->name(), "locally-ordered");
+  const LightTree own = build(lights, {7, Builder::locally_ordered});
+  const TreeClaim expected = claim_of(own);
+  const TreeClaim claim = subject->build(lights, 7)->claim();
+  EXPECT_EQ(claim.lights, expected.lights);
+  EXPECT_NE(claim.lights, claim_of(build(lights, {7})).lights);
+}
+
 TEST(PaperSubject, HasThePapersBound) {
   const LightTree own = four_lights();
   const auto subject = paper_subject();

@@ -10,7 +10,7 @@ namespace lightcuts::oracle {
 namespace {
 
 TEST(SubjectNamed, IsTheLibraryAsItsMethodsAre) {
-  for (const char* name : {"lightcuts", "paper", "stochastic-intensity"}) {
+  for (const char* name : {"lightcuts", "locally-ordered", "paper", "stochastic-intensity"}) {
     EXPECT_EQ(subject_named(name)->name(), name);
     EXPECT_EQ(full_subject_name(name), name);
   }
@@ -40,6 +40,7 @@ TEST(SubjectNamed, TakesWhatLooksLikeAFileForAPlugIn) {
 
 TEST(IsLibrary, HoldsForLightcutsAlone) {
   EXPECT_TRUE(is_library(*subject_named("lightcuts")));
+  EXPECT_FALSE(is_library(*subject_named("locally-ordered")));
   EXPECT_FALSE(is_library(*subject_named("paper")));
   EXPECT_FALSE(is_library(*subject_named("stochastic-intensity")));
   for (const Mutant& mutant : mutants()) EXPECT_FALSE(is_library(*mutant.subject())) << mutant.name;

@@ -64,6 +64,17 @@ TEST(OpenedScene, ChoosesRepresentativesByTheSeed) {
   EXPECT_NE(representatives(1), representatives(2));
 }
 
+TEST(OpenedScene, BuildsTheTreeAsAsked) {
+  OpenRequest request = small_request();
+  for (const Builder builder : all_builders) {
+    request.builder = builder;
+    const auto scene = open(request);
+    const LightTree tree = build(scene->scene().lights, {1, builder});
+    for (std::uint32_t i = 0; i < tree.nodes().size(); ++i)
+      ASSERT_EQ(scene->tree()->node(i).box, tree.node(i).box) << name_of(builder) << ", node " << i;
+  }
+}
+
 TEST(OpenedScene, ClampsDistancesAsAsked) {
   EXPECT_EQ(small_scene()->scene().lights.min_distance(), 0);
   OpenRequest request = small_request();

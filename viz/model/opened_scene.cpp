@@ -18,7 +18,6 @@
 #include <lightcuts/render/light_generator.h>
 #include <lightcuts/render/needs.h>
 #include <lightcuts/render/open_scene.h>
-#include <lightcuts/tree_builder.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -137,7 +136,7 @@ void OpenedScene::build_tree() {
   const auto start = std::chrono::steady_clock::now();
   const std::uint64_t seed =
       counterexample_ ? counterexample_->saved.counterexample.on.seed : request_.tree_seed;
-  tree_ = std::make_shared<const LightTree>(build(scene_.lights, {seed}));
+  tree_ = std::make_shared<const LightTree>(build(scene_.lights, {seed, request_.builder}));
   build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   oracle::TreeClaim claim;
   if (counterexample_) {

@@ -14,6 +14,7 @@
 #include <lightcuts/oracle/topology.h>
 #include <lightcuts/render/needs.h>
 #include <lightcuts/render/scene_view.h>
+#include <lightcuts/tree_builder.h>
 
 namespace lightcuts::viz {
 
@@ -21,6 +22,7 @@ namespace lightcuts::viz {
 struct OpenRequest {
   std::string spec;                     ///< as open_scene() takes it, or a counterexample file
   std::uint64_t tree_seed = 1;          ///< of the choice of representatives
+  Builder builder = Builder::greedy;    ///< of the tree
   std::optional<float> min_distance;    ///< clamps distances, metres, > 0; nothing: the scene's own
   std::optional<glm::uvec2> image_size; ///< pixels; nothing: the scene's own
   std::uint32_t lights = 0;             ///< so many random lights in place of its own; 0: its own

@@ -157,6 +157,7 @@ const std::map<std::string, Reader>& readers() {
       {"scene", [](const Json& j, ViewState& s) { s.open.spec = text(j); }},
       {"tree_seed",
        [](const Json& j, ViewState& s) { s.open.tree_seed = whole<std::uint64_t>(j, 0); }},
+      {"builder", [](const Json& j, ViewState& s) { s.open.builder = named(j, builder_named); }},
       {"min_distance",
        [](const Json& j, ViewState& s) { s.open.min_distance = number(j, 1e-30, 1e30); }},
       {"image_size",
@@ -242,6 +243,7 @@ void require_schema(const std::string& name, const Json& json) {
 std::string view_state_json(const ViewState& s) {
   Json json{{"schema", schema}, {"scene", s.open.spec}};
   if (s.open.tree_seed != 1) json["tree_seed"] = s.open.tree_seed;
+  if (s.open.builder != Builder::greedy) json["builder"] = name_of(s.open.builder);
   if (s.open.min_distance) json["min_distance"] = decimal(*s.open.min_distance);
   if (s.open.image_size) json["image_size"] = {s.open.image_size->x, s.open.image_size->y};
   if (s.open.lights > 0) json["lights"] = s.open.lights;

@@ -108,13 +108,22 @@ void clamp(Workbench& workbench) {
   ImGui::EndDisabled();
 }
 
-void seeds(Workbench& workbench) {
+void tree(Workbench& workbench) {
+  choice("builder", workbench.state.open.builder, {"greedy", "locally ordered"},
+         {"The cheapest of all pairs of clusters merges each time, as Walter et al. have it.",
+          "Pairs that are near on a Morton curve merge, many at once: sooner built, and with many "
+          "lights the better tree."});
+  tooltip("How lights are clustered: by least intensity x (diagonal^2 + c^2 (1 - cos beta)^2). "
+          "Builds the tree again.");
+  ImGui::TextColored(quiet_text, "built in %.3g s", workbench.scene()->build_seconds());
   int tree_seed = int(workbench.state.open.tree_seed);
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
   if (ImGui::InputInt("seed of the tree", &tree_seed, 1, 10) && tree_seed >= 0)
     workbench.state.open.tree_seed = std::uint64_t(tree_seed);
-  tooltip("The builder clusters greedily (least intensity x (diagonal^2 + ...)): the tree is one. "
-          "Its representatives are drawn by intensity, by this seed.");
+  tooltip("Clusters' representatives are drawn by intensity, by this seed.");
+}
+
+void draws(Workbench& workbench) {
   int seed = int(workbench.state.shading.seed);
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
   if (ImGui::InputInt("seed of the draws", &seed, 1, 10) && seed >= 0)
@@ -133,11 +142,16 @@ void draw_live_panel(Workbench& workbench) {
   rules(workbench);
   whether_tree_is_used(workbench);
   ImGui::Separator();
+  // A counterexample has its own lights and tree.
+  ImGui::BeginDisabled(workbench.scene()->counterexample().has_value());
   clamp(workbench);
-  seeds(workbench);
+  tree(workbench);
+  ImGui::EndDisabled();
+  draws(workbench);
   if (ImGui::Button("as at first")) {
     workbench.state.shading = {};
     workbench.state.open.tree_seed = 1;
+    workbench.state.open.builder = Builder::greedy;
     workbench.state.open.min_distance.reset();
   }
   tooltip("All of this as by default.");

@@ -17,6 +17,7 @@
 #include "panels/app.h"
 #include "panels/frame_pacer.h"
 #include "panels/gui.h"
+#include "panels/lost_display.h"
 
 namespace lightcuts::viz {
 namespace {
@@ -135,6 +136,13 @@ void wait_for_events(FramePacer& pacer, bool busy) {
   pacer.waited(patience, std::chrono::duration<double>(FramePacer::Clock::now() - start).count());
 }
 
+/// What is to be remembered of the window; asks nobody but the app.
+AppSettings settings_of(App& app, glm::ivec2 window_size) {
+  AppSettings settings = app.settings();
+  settings.window_size = window_size;
+  return settings;
+}
+
 } // namespace
 
 void run_window(const AppSettings& settings, std::optional<float> scale,
@@ -146,22 +154,22 @@ void run_window(const AppSettings& settings, std::optional<float> scale,
   App app(settings, output);
   const Input input(window.get(), app);
   start(app);
+  glm::ivec2 window_size = settings.window_size; // in its last frame
+  const LostDisplayGuard guard([&] { end(settings_of(app, window_size)); });
   FramePacer pacer;
   while (glfwWindowShouldClose(window.get()) == GLFW_FALSE && !app.wants_to_quit()) {
     wait_for_events(pacer, !app.settled());
     glm::ivec2 size(0);
     glfwGetFramebufferSize(window.get(), &size.x, &size.y);
-    if (size.x > 0 && size.y > 0) // else minimised, or made to nothing
+    if (size.x > 0 && size.y > 0) { // else minimised, or made to nothing
+      glfwGetWindowSize(window.get(), &window_size.x, &window_size.y);
       draw(window.get(), gui, app, size);
+    }
     pacer.drawn(FramePacer::Clock::now());
   }
-  AppSettings left = app.settings();
-  glm::ivec2 size(0);
-  glfwGetWindowSize(window.get(), &size.x, &size.y);
-  if (size.x > 0 && size.y > 0) left.window_size = size;
   glfwHideWindow(window.get());
   glfwPollEvents();
-  end(left);
+  end(settings_of(app, window_size));
   // A scene that is being opened cannot be left, and nobody waits for it.
   if (app.workbench().opening()) std::_Exit(0);
 }

@@ -130,7 +130,10 @@ public:
 /// The library, by name "lightcuts".
 [[nodiscard]] std::unique_ptr<Subject> library_subject();
 
-/// The same, drawing lights by intensity alone, by name "stochastic-intensity".
+/// The same on trees of Builder::locally_ordered, by name "locally-ordered".
+[[nodiscard]] std::unique_ptr<Subject> locally_ordered_subject();
+
+/// The library, drawing lights by intensity alone, by name "stochastic-intensity".
 [[nodiscard]] std::unique_ptr<Subject> stochastic_intensity_subject();
 
 /// Method::paper.

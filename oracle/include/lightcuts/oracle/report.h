@@ -37,6 +37,7 @@ struct Run {
 struct Report {
   std::string scene;
   std::uint64_t seed = 1;
+  std::string builder; ///< of the light tree
   std::size_t lights = 0;
   std::size_t triangles = 0;
   glm::uvec2 size{0};

@@ -8,9 +8,9 @@
 
 namespace lightcuts::oracle {
 
-/// "lightcuts", "paper", "stochastic-intensity", "mutant:NAME", a mutant's mere name, or the file
-/// of a plug-in: what has a slash or ends in ".so"; time_limit: of each question to it, seconds.
-/// Throws InputError, naming it, where there is no such subject.
+/// "lightcuts", "locally-ordered", "paper", "stochastic-intensity", "mutant:NAME", a mutant's mere
+/// name, or the file of a plug-in: what has a slash or ends in ".so"; time_limit: of each question
+/// to it, seconds. Throws InputError, naming it, where there is no such subject.
 [[nodiscard]] std::unique_ptr<Subject> subject_named(const std::string& name,
                                                      double time_limit = 10);
 

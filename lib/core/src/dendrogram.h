@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "cluster.h"
+#include <lightcuts/light_set.h>
+#include <lightcuts/light_tree.h>
+
+namespace lightcuts {
+
+/// The record of a clustering: which clusters were merged with which. Starts with the lights, each
+/// a cluster of its own; complete after one merge less than there are lights.
+class Dendrogram {
+public:
+  /// lights: at least one, to be kept alive; seed: of the choice of representatives.
+  Dendrogram(const LightSet& lights, std::uint64_t seed);
+
+  /// The lights of one kind.
+  [[nodiscard]] std::vector<Cluster> clusters_of(LightKind kind) const;
+  /// Merges two clusters that were not merged before.
+  Cluster join(Cluster a, Cluster b);
+  /// As LightTree wants it: node 0 the root, siblings together, parents before children.
+  [[nodiscard]] std::vector<TreeNode> laid_out() const;
+
+private:
+  using Children = std::pair<std::uint32_t, std::uint32_t>;
+
+  [[nodiscard]] bool takes_first(const Cluster& a, const Cluster& b) const;
+
+  const LightSet& lights_;
+  std::uint64_t seed_;
+  std::vector<TreeNode> nodes_; ///< the lights, then the merged clusters
+  std::vector<Children> children_;
+};
+
+} // namespace lightcuts
