@@ -30,10 +30,7 @@ void merge_half(ClusterIndex& index, Dendrogram& record) {
       chain.push_back(partner);
       continue;
     }
-    // The slot of the lower id lives on: where it is does not matter, but for speed.
-    const auto [kept, freed] =
-        std::minmax(last, partner, [&](auto a, auto b) { return index.at(a).id < index.at(b).id; });
-    index.replace(kept, freed, record.join(index.at(kept), index.at(freed)));
+    index.replace(last, partner, record.join(index.at(last), index.at(partner)));
     chain.resize(chain.size() - 2);
     --merges;
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "morton_order.h"
@@ -64,12 +63,11 @@ private:
   }
 
   [[nodiscard]] std::uint32_t cheapest_partner(std::uint32_t place) const {
-    using Rank = std::tuple<double, std::uint32_t, std::uint32_t>;
-    Rank best{std::numeric_limits<double>::infinity(), nobody, nobody};
+    using Rank = std::pair<double, std::uint32_t>;
+    Rank best{std::numeric_limits<double>::infinity(), nobody};
     std::uint32_t partner = nobody;
     around(place, [&](std::uint32_t other) {
-      const Rank rank{union_cost(clusters_[place], clusters_[other]), place ^ other,
-                      std::min(place, other)};
+      const Rank rank{union_cost(clusters_[place], clusters_[other]), place ^ other};
       if (rank < best) {
         best = rank;
         partner = other;
@@ -86,7 +84,6 @@ private:
       if (choice_[other] == place && (place < other || is_asked_[other] == 0))
         pairs.push_back(std::minmax(place, other));
     }
-    std::sort(pairs.begin(), pairs.end()); // the record's order
     return pairs;
   }
 
