@@ -99,6 +99,28 @@ TEST(GuiView, ThresholdRendersAnew) {
   EXPECT_EQ(after > before, *robot.state().shading.threshold < threshold);
 }
 
+TEST(GuiView, BuilderMakesAnotherTree) {
+  ViewState room = small_room();
+  room.pixel = glm::uvec2(30, 20);
+  Robot robot(room);
+  robot.app().show(Tab::live);
+  robot.frames(2);
+  const auto before = robot.workbench().scene();
+  ASSERT_EQ(before->request().builder, Builder::greedy);
+  const ScreenArea area = robot.app().image().area();
+  const double x = area.origin.x + area.size.x + 160;
+  for (double y = 355; y < 500 && robot.state().open.builder == Builder::greedy; y += 8) {
+    robot.click({x, y});
+    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) robot.click({x, y + 42});
+  }
+  ASSERT_EQ(robot.state().open.builder, Builder::locally_ordered);
+  robot.settle();
+  const auto after = robot.workbench().scene();
+  ASSERT_NE(after, before);
+  EXPECT_EQ(after->request().builder, Builder::locally_ordered);
+  EXPECT_EQ(robot.state().shading, room.shading) << "nothing else was touched";
+}
+
 TEST(GuiView, SplitShowsTwoMethods) {
   ViewState state = small_room();
   state.split = true;

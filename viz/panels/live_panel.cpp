@@ -115,7 +115,10 @@ void tree(Workbench& workbench) {
           "lights the better tree."});
   tooltip("How lights are clustered: by least intensity x (diagonal^2 + c^2 (1 - cos beta)^2). "
           "Builds the tree again.");
-  ImGui::TextColored(quiet_text, "built in %.3g s", workbench.scene()->build_seconds());
+  const double seconds = workbench.scene()->build_seconds();
+  const bool is_long = seconds >= 0.1;
+  ImGui::TextColored(quiet_text, "built in %.3g %s", is_long ? seconds : 1000 * seconds,
+                     is_long ? "s" : "ms");
   int tree_seed = int(workbench.state.open.tree_seed);
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
   if (ImGui::InputInt("seed of the tree", &tree_seed, 1, 10) && tree_seed >= 0)
