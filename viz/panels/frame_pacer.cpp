@@ -6,9 +6,11 @@
 namespace lightcuts::viz {
 
 double FramePacer::patience(bool is_busy, Clock::time_point now) const {
-  const double since = std::chrono::duration<double>(now - last_).count();
-  const double wanted = eager_ > 0 ? fastest : is_busy ? busy : idle;
-  return std::max(0.0, wanted - since);
+  const auto since = [now](Clock::time_point then) {
+    return std::chrono::duration<double>(now - then).count();
+  };
+  const double left = eager_ > 0 ? fastest - since(start_) : (is_busy ? busy : idle) - since(end_);
+  return std::max(0.0, left);
 }
 
 void FramePacer::waited(double patience, double seconds) {

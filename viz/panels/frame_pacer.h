@@ -12,20 +12,24 @@ class FramePacer {
 public:
   using Clock = std::chrono::steady_clock;
 
-  static constexpr double fastest = 1.0 / 75; ///< seconds between frames at least
-  static constexpr double busy = 0.1;         ///< while something runs in the background
+  static constexpr double fastest =
+      1.0 / 75;                       ///< seconds at least from one frame's start to the next
+  static constexpr double busy = 0.1; ///< of rest, while something runs in the background
   static constexpr double idle = 0.5;
 
   /// For how many seconds to wait for events before the next frame.
   [[nodiscard]] double patience(bool is_busy, Clock::time_point now) const;
   /// What came of the waiting: whether there were events, after so many seconds of `patience`.
   void waited(double patience, double seconds);
-  void drawn(Clock::time_point now) { last_ = now; }
+  void drawn(Clock::time_point start, Clock::time_point end) {
+    start_ = start;
+    end_ = end;
+  }
 
 private:
   static constexpr int frames_after_event = 3; ///< some things of ImGui take two
 
-  Clock::time_point last_{};
+  Clock::time_point start_{}, end_{}; ///< of the last frame
   int eager_ = frames_after_event;
 };
 

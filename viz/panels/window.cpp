@@ -159,13 +159,14 @@ void run_window(const AppSettings& settings, std::optional<float> scale,
   FramePacer pacer;
   while (glfwWindowShouldClose(window.get()) == GLFW_FALSE && !app.wants_to_quit()) {
     wait_for_events(pacer, !app.settled());
+    const auto frame_start = FramePacer::Clock::now();
     glm::ivec2 size(0);
     glfwGetFramebufferSize(window.get(), &size.x, &size.y);
     if (size.x > 0 && size.y > 0) { // else minimised, or made to nothing
       glfwGetWindowSize(window.get(), &window_size.x, &window_size.y);
       draw(window.get(), gui, app, size);
     }
-    pacer.drawn(FramePacer::Clock::now());
+    pacer.drawn(frame_start, FramePacer::Clock::now());
   }
   glfwHideWindow(window.get());
   glfwPollEvents();
