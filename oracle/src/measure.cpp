@@ -95,32 +95,12 @@ double mean(const std::vector<float>& values, std::uint64_t count) {
   return count == 0 ? 0 : sum / double(count);
 }
 
-/// Mean cut sizes over random points, of the clairvoyant and of the actual cut.
-struct SampledSizes {
-  double clairvoyant = 0, actual = 0;
+/// A row whose cuts are compared with the clairvoyant ones.
+struct SampledRow {
+  std::unique_ptr<SubjectTree> subject;
+  CutConfig cut;
+  double clairvoyant = 0, actual = 0; ///< mean cut sizes
 };
-
-SampledSizes sample_sizes(const SceneView& view, SubjectTree& subject, const CutConfig& cut,
-                          std::uint64_t seed) {
-  const LightSet& scene_lights = view.scene().lights;
-  const std::size_t lights = scene_lights.size();
-  const std::size_t points = std::clamp<std::size_t>(2'000'000 / lights, 16, 256);
-  const Topology topology = *read_topology(subject.claim(), lights).topology;
-  const Judged judged{subject, only(Part::bounds) | only(Part::estimates) | only(Part::cuts)};
-  Truth truth;
-  std::vector<char> visible(lights);
-  SampledSizes sizes;
-  for (std::size_t i = 0; i < points; ++i) {
-    const VisiblePoint p = random_point(view, seed, i);
-    for (std::uint32_t j = 0; j < lights; ++j) visible[j] = view.sees(p, j) ? 1 : 0;
-    truth.evaluate(topology, scene_lights, p.point, visible);
-    const PointCase at{i, p.point, visible, truth};
-    sizes.clairvoyant += double(clairvoyant_cut_size(judged, at, cut.threshold, cut.black_level));
-    const auto seen = [&](std::uint32_t j) { return visible[j] != 0; };
-    sizes.actual += double(subject.select(p.point, cut, seen).clusters.size());
-  }
-  return {sizes.clairvoyant / double(points), sizes.actual / double(points)};
-}
 
 /// The tree as that method uses it, which draws nothing: drawn estimates have no clairvoyant cut.
 std::unique_ptr<SubjectTree> tree_of(Method method, const LightTree& tree) {
@@ -129,6 +109,46 @@ std::unique_ptr<SubjectTree> tree_of(Method method, const LightTree& tree) {
   if (method == Method::no_specular_bound)
     return std::make_unique<RulesTree<NoSpecularBoundRules>>(tree);
   return std::make_unique<RulesTree<LightcutsRules>>(tree);
+}
+
+/// Whether a row has cuts that do not draw, which is what can be compared.
+bool has_clairvoyant_cut(const Row& row) {
+  return row.config.method != Method::reference && !is_stochastic(row.config.method);
+}
+
+/// Of those rows that have a clairvoyant cut, in their order: cut sizes over random points, whose
+/// truth is found once for all rows.
+std::vector<SampledRow> sample_sizes(const SceneView& view, const LightTree& tree,
+                                     const std::vector<Row>& rows, const MeasureConfig& config) {
+  std::vector<SampledRow> sampled;
+  for (const Row& row : rows)
+    if (has_clairvoyant_cut(row))
+      sampled.push_back({tree_of(row.config.method, tree), row.config.cut});
+  if (sampled.empty()) return sampled;
+  const LightSet& scene_lights = view.scene().lights;
+  const std::size_t lights = scene_lights.size();
+  const std::size_t points = std::clamp<std::size_t>(2'000'000 / lights, 16, 256);
+  const Topology topology = *read_topology(claim_of(tree), lights).topology;
+  Truth truth;
+  std::vector<char> visible(lights);
+  const auto seen = [&](std::uint32_t j) { return visible[j] != 0; };
+  for (std::size_t i = 0; i < points; ++i) {
+    throw_if_cancelled(config);
+    const VisiblePoint p = random_point(view, config.seed, i);
+    for (std::uint32_t j = 0; j < lights; ++j) visible[j] = view.sees(p, j) ? 1 : 0;
+    truth.evaluate(topology, scene_lights, p.point, visible);
+    for (SampledRow& row : sampled) {
+      const Judged judged{*row.subject,
+                          only(Part::bounds) | only(Part::estimates) | only(Part::cuts)};
+      const PointCase at{i, p.point, visible, truth};
+      const std::size_t clairvoyant =
+          clairvoyant_cut_size(judged, at, row.cut.threshold, row.cut.black_level);
+      row.clairvoyant += double(clairvoyant) / double(points);
+      row.actual +=
+          double(row.subject->select(p.point, row.cut, seen).clusters.size()) / double(points);
+    }
+  }
+  return sampled;
 }
 
 Run summary(const Row& row, const Row& reference, double build_seconds) {
@@ -251,24 +271,19 @@ Measurement measure(const SceneView& view, const MeasureConfig& config) {
   std::vector<Row> rows = rows_to_run(view, tree, config, black_level);
   run_in_turn(view, tree, config, rows);
 
+  const std::vector<SampledRow> sampled = sample_sizes(view, tree, rows, config);
+  auto sizes = sampled.begin();
+  const bool shows_reference = std::find(config.methods.begin(), config.methods.end(),
+                                         Method::reference) != config.methods.end();
   for (const Row& row : rows) {
-    throw_if_cancelled(config);
     Run run = summary(row, rows.front(), build_seconds);
-    if (is_stochastic(row.config.method)) {
-      m.report.runs.push_back(run);
-      continue;
+    if (has_clairvoyant_cut(row)) {
+      run.optimal_cut_size = sizes->clairvoyant;
+      run.cut_efficiency = sizes->clairvoyant /
+                           (leaves_tree_out(row) ? double(tree.lights().size()) : sizes->actual);
+      ++sizes;
     }
-    if (row.config.method != Method::reference) {
-      const auto subject = tree_of(row.config.method, tree);
-      const SampledSizes sizes = sample_sizes(view, *subject, row.config.cut, config.seed);
-      run.optimal_cut_size = sizes.clairvoyant;
-      run.cut_efficiency =
-          sizes.clairvoyant / (leaves_tree_out(row) ? double(tree.lights().size()) : sizes.actual);
-    } else if (std::find(config.methods.begin(), config.methods.end(), Method::reference) ==
-               config.methods.end()) {
-      continue;
-    }
-    m.report.runs.push_back(run);
+    if (row.config.method != Method::reference || shows_reference) m.report.runs.push_back(run);
   }
   const Row& shown = row_to_show(rows, threshold);
   m.shown = shown.picture;

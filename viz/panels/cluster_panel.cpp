@@ -80,13 +80,19 @@ void draw_filter(const ClusterContents& contents, ClusterPanelState& state) {
 
 void set_up_columns(const ClusterPanelState& state) {
   ImGui::TableSetupScrollFreeze(1, 1);
+  // Truths come later, and are longer than what stands there until then.
+  const float number_width =
+      std::max(ImGui::CalcTextSize("8.888e-88").x,
+               ImGui::CalcTextSize("estimate").x + ImGui::GetFontSize()); // and the arrow
   for (int i = 0; i < cluster_column_count; ++i) {
     const auto column = ClusterColumn(i);
     ImGuiTableColumnFlags flags = column == ClusterColumn::node ? ImGuiTableColumnFlags_NoHide : 0;
     if (column == state.column) flags |= ImGuiTableColumnFlags_DefaultSort;
     if (i >= int(ClusterColumn::share) || state.descending)
       flags |= ImGuiTableColumnFlags_PreferSortDescending;
-    ImGui::TableSetupColumn(info_of(column).name.data(), flags, 0, ImGuiID(i));
+    const bool is_long = column >= ClusterColumn::bound && column <= ClusterColumn::error;
+    ImGui::TableSetupColumn(info_of(column).name.data(), flags, is_long ? number_width : 0,
+                            ImGuiID(i));
   }
 }
 

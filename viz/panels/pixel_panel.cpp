@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -14,6 +15,18 @@ namespace lightcuts::viz {
 namespace {
 
 void text(const std::string& line) { ImGui::TextWrapped("%s", line.c_str()); }
+/// On one line as far as they fit: no number is parted.
+void in_one_line(const std::vector<std::string>& parts) {
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const float between = 2 * ImGui::CalcTextSize(" ").x;
+  bool first = true;
+  for (const std::string& part : parts) {
+    const float width = ImGui::CalcTextSize(part.c_str()).x;
+    if (!first && ImGui::GetItemRectMax().x + between + width <= right) ImGui::SameLine(0, between);
+    ImGui::TextUnformatted(part.c_str());
+    first = false;
+  }
+}
 void quiet(const std::string& line) { ImGui::TextColored(quiet_text, "%s", line.c_str()); }
 
 struct LobeName {
@@ -51,14 +64,15 @@ std::string error_text(const Inspection& i, double error, const glm::dvec3& of) 
 }
 
 void radiance(const Inspection& i) {
-  text(fmt::format("radiance {}  certified error {}", rgb_text(glm::dvec3(i.radiance)),
-                   error_text(i, sum(glm::dvec3(i.certified_error)), glm::dvec3(i.radiance))));
+  in_one_line({"radiance " + rgb_text(glm::dvec3(i.radiance)),
+               "certified error " +
+                   error_text(i, sum(glm::dvec3(i.certified_error)), glm::dvec3(i.radiance))});
   if (!i.truth) {
     quiet("truth ... (every light is being looked at)");
     return;
   }
   const double error = sum(glm::abs(glm::dvec3(i.radiance) - *i.truth));
-  text(fmt::format("truth {}  true error {}", rgb_text(*i.truth), error_text(i, error, *i.truth)));
+  in_one_line({"truth " + rgb_text(*i.truth), "true error " + error_text(i, error, *i.truth)});
 }
 
 void cut(Workbench& workbench, const Inspection& i) {
@@ -88,9 +102,10 @@ void cluster(Workbench& workbench) {
                          .c_str());
   ImGui::SameLine();
   quiet(row->visible ? "its representative is seen" : "its representative is hidden");
-  text(fmt::format("bound {}  estimate {}{}", rgb_text(glm::dvec3(row->bound)),
-                   rgb_text(row->estimate),
-                   row->truth ? "  truth " + rgb_text(*row->truth) : std::string()));
+  std::vector<std::string> parts{"bound " + rgb_text(glm::dvec3(row->bound)),
+                                 "estimate " + rgb_text(row->estimate)};
+  if (row->truth) parts.push_back("truth " + rgb_text(*row->truth));
+  in_one_line(parts);
 }
 
 } // namespace

@@ -177,19 +177,21 @@ void draw_value(const PlotSeries& s, std::size_t i, std::size_t index, const Can
     c.draw->AddLine(c.at(s.x[i - 1], s.y[i - 1]), c.at(s.x[i], s.y[i]), colour_of(index), 2);
 }
 
+/// Above the plot, from the right as far as there is room beside the label of y.
 void draw_legend(const Plot& plot, const Canvas& c) {
   const float line = ImGui::GetTextLineHeight();
-  float y = c.lo.y + gap, width = 0;
-  for (const PlotSeries& s : plot.series)
-    width = std::max(width, ImGui::CalcTextSize(s.name.c_str()).x);
-  const float x = c.hi.x - width - line - 2 * gap;
-  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+  const float y = c.lo.y - line - gap / 2;
+  const float least = c.lo.x + ImGui::CalcTextSize(plot.y_label.c_str()).x + 2 * gap;
+  float x = c.hi.x;
+  for (std::size_t k = plot.series.size(); k-- > 0;) {
     const std::string& name = plot.series[k].name;
-    if (name.empty() || y + line > c.hi.y) continue;
-    c.draw->AddRectFilled({x - gap, y}, {c.hi.x - 1, y + line}, IM_COL32(22, 24, 28, 190));
+    if (name.empty()) continue;
+    x -= ImGui::CalcTextSize(name.c_str()).x;
+    if (x - line < least) return;
+    draw_text(c, {x, y}, name, 0);
+    x -= line;
     c.draw->AddRectFilled({x, y + 0.3F * line}, {x + 0.8F * line, y + 0.7F * line}, colour_of(k));
-    draw_text(c, {x + line, y}, name, 0);
-    y += line;
+    x -= 2 * gap;
   }
 }
 
@@ -270,8 +272,8 @@ bool draw_plot(const char* id, const Plot& plot, ImVec2 size) {
   c.draw->PushClipRect(c.lo, c.hi, true);
   for (std::size_t k = 0; k < plot.series.size(); ++k)
     for (std::size_t i = 0; i < count(plot.series[k]); ++i) draw_value(plot.series[k], i, k, c);
-  draw_legend(plot, c);
   c.draw->PopClipRect();
+  draw_legend(plot, c);
   if (hovered) draw_tooltip(plot, c);
   return hovered;
 }

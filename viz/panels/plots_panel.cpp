@@ -2,6 +2,7 @@
 #include "plots_panel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -17,19 +18,31 @@ namespace {
 constexpr float thresholds[] = {0.005F, 0.01F, 0.02F, 0.04F, 0.08F, 0.16F};
 constexpr std::uint32_t bins = 40;
 
-Plot cut_size_plot(const LayerValues& layer) {
+/// Bins that have equally many whole numbers each, and at least three of them.
+HistogramRange whole_number_bins(double lo, double hi) {
+  if (lo == hi) return {lo - 1.5, hi + 1.5, 3};
+  const double width = std::ceil((hi - lo + 1) / bins);
+  const double count = std::ceil((hi - lo + 1) / width);
+  return {lo - 0.5, lo - 0.5 + count * width, std::uint32_t(count)};
+}
+
+/// Where a few cuts are far larger than the others, of those others.
+Histogram cut_size_histogram(const LayerValues& layer, const LayerStatistics& statistics) {
   std::vector<float> values;
   for (std::size_t i = 0; i < layer.values.size(); ++i)
     if (layer.known[i] != 0 && layer.surface[i] != 0) values.push_back(layer.values[i]);
-  const Histogram histogram = histogram_of(values, range_of(values, bins, false));
+  if (statistics.known == 0) return histogram_of(values, {});
+  const double most = std::max(automatic_scale(statistics, false).hi, statistics.least);
+  return histogram_of(values, whole_number_bins(statistics.least, most));
+}
+
+Plot cut_size_plot(const Histogram& histogram, const LayerStatistics& statistics) {
   Plot plot;
   plot.x_label = "clusters";
   plot.y_label = "pixels";
-  double sum = 0;
-  for (const float v : values) sum += v;
   plot.series.push_back(bars_of(histogram, "cut size"));
-  if (!values.empty())
-    plot.series.push_back({"mean", {sum / double(values.size())}, {0}, {}, PlotKind::vertical});
+  if (statistics.known > 0)
+    plot.series.push_back({"mean", {statistics.mean}, {0}, {}, PlotKind::vertical});
   return plot;
 }
 
@@ -67,6 +80,18 @@ Plot error_against_time(const oracle::Report& report) {
   return plot;
 }
 
+/// What has no place on a logarithmic axis: "exact, not shown: lightcuts 1 %, 2 %"; empty if none.
+std::string exact_rows(const oracle::Report& report) {
+  std::string names, last;
+  for (const oracle::Run& run : report.runs) {
+    if (run.method == name_of(Method::reference) || run.mean_relative_error > 0) continue;
+    names += run.method == last ? ", " : (names.empty() ? "" : "; ") + run.method + " ";
+    names += fmt::format("{:g} %", 100 * run.threshold);
+    last = run.method;
+  }
+  return names.empty() ? "" : "exact, not shown: " + names;
+}
+
 Plot error_against_threshold(const oracle::Report& report) {
   return error_plot(report, "threshold", [](const oracle::Run& r) { return r.threshold; });
 }
@@ -89,16 +114,24 @@ void PlotsPanel::draw(Workbench& workbench) {
 
 void PlotsPanel::draw_histogram(Workbench& workbench) {
   const LayerSources sources = workbench.sources(workbench.state.display, Layer::cut_size);
-  ImGui::TextUnformatted(
-      fmt::format("Lights evaluated, {}", lightcuts::name_of(workbench.state.display.method()))
-          .c_str());
+  ImGui::TextUnformatted(fmt::format("Lights evaluated, {}{}",
+                                     lightcuts::name_of(workbench.state.display.method()),
+                                     beyond_histogram_)
+                             .c_str());
   const bool complete = sources.frame->complete();
   // While the picture grows, every now and then.
   const std::uint64_t version = complete ? sources.frame->version() : sources.frame->version() / 64;
   if (histogram_of_ == sources.frame && histogram_version_ == version) return;
   histogram_of_ = sources.frame;
   histogram_version_ = version;
-  histogram_ = cut_size_plot(layer_values(Layer::cut_size, sources));
+  const LayerValues layer = layer_values(Layer::cut_size, sources);
+  const LayerStatistics statistics = statistics_of(layer);
+  const Histogram histogram = cut_size_histogram(layer, statistics);
+  histogram_ = cut_size_plot(histogram, statistics);
+  beyond_histogram_.clear();
+  if (histogram.above > 0)
+    beyond_histogram_ = fmt::format("; {} of {} pixels have more, at most {}", histogram.above,
+                                    statistics.known, short_text(statistics.largest));
 }
 
 void PlotsPanel::draw_controls(Workbench& workbench) {
@@ -135,6 +168,8 @@ void PlotsPanel::draw_controls(Workbench& workbench) {
 void PlotsPanel::draw_report(Workbench& workbench) {
   const auto& result = workbench.report();
   if (!result || result->scene != workbench.scene()) return;
+  if (const std::string exact = exact_rows(result->report); !exact.empty())
+    ImGui::TextColored(quiet_text, "%s", exact.c_str());
   const ImVec2 left = ImGui::GetContentRegionAvail();
   const ImVec2 size{left.x, std::max(110.0F, left.y / 2 - 6)};
   draw_plot("time", error_against_time(result->report), size);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "model/workbench.h"
 #include "panels/plot.h"
@@ -24,6 +25,7 @@ private:
   std::array<bool, 7> methods_{}; ///< of all_methods, which the report has
   bool started_ = false;
   Plot histogram_;
+  std::string beyond_histogram_; ///< in words
   std::uint64_t histogram_version_ = 0;
   std::shared_ptr<const Frame> histogram_of_;
 };
