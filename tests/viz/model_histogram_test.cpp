@@ -87,6 +87,26 @@ TEST(Histogram, RangesFromTheSmallestToTheLargestFiniteValue) {
   EXPECT_EQ(range_of({}, 9, true).hi, 10);
 }
 
+TEST(Histogram, GivesEachBinEquallyManyWholeNumbers) {
+  for (int lo = 1; lo < 50; lo += 7)
+    for (int hi = lo + 1; hi < lo + 300; ++hi) {
+      const HistogramRange range = whole_number_range(lo, hi, 40);
+      ASSERT_LE(range.bins, 40U);
+      std::vector<float> values;
+      for (int v = lo; v < range.hi; ++v) values.push_back(float(v));
+      ASSERT_GE(values.back(), float(hi));
+      const Histogram h = histogram_of(values, range);
+      const double each = (range.hi - range.lo) / range.bins;
+      ASSERT_LT(range.hi - hi, each) << "no bin is there for nothing";
+      for (const std::uint64_t n : h.counts) ASSERT_EQ(double(n), each) << lo << " to " << hi;
+    }
+}
+
+TEST(Histogram, PutsOneWholeNumberInTheMiddle) {
+  const Histogram h = histogram_of(std::vector<float>{7, 7}, whole_number_range(7, 7, 40));
+  EXPECT_THAT(h.counts, ElementsAre(0, 2, 0));
+}
+
 TEST(Percentiles, AreValuesThatSoManyPercentAreNotAbove) {
   std::vector<float> values(100);
   std::iota(values.begin(), values.end(), 1.0F);

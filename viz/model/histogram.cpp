@@ -105,6 +105,13 @@ HistogramRange range_of(std::span<const float> values, std::uint32_t bins, bool 
   return {lo, hi, bins, logarithmic};
 }
 
+HistogramRange whole_number_range(double lo, double hi, std::uint32_t most) {
+  if (lo == hi) return {lo - 1.5, hi + 1.5, 3};
+  const double width = std::ceil((hi - lo + 1) / most);
+  const double bins = std::ceil((hi - lo + 1) / width);
+  return {lo - 0.5, lo - 0.5 + bins * width, std::uint32_t(bins)};
+}
+
 std::vector<float> percentiles(std::span<const float> values, std::span<const double> percents) {
   std::vector<float> numbers;
   std::copy_if(values.begin(), values.end(), std::back_inserter(numbers),

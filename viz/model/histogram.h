@@ -33,6 +33,10 @@ struct Histogram {
 [[nodiscard]] HistogramRange range_of(std::span<const float> values, std::uint32_t bins,
                                       bool logarithmic);
 
+/// For whole numbers from lo to hi: bins of equally many each, at most `most` bins; three where
+/// there is one number only, so that it stands in the middle. lo and hi whole, lo <= hi.
+[[nodiscard]] HistogramRange whole_number_range(double lo, double hi, std::uint32_t most);
+
 /// For each of `percents`, in [0, 100], the smallest value such that at least so many percent of
 /// the values are not above it. NaN does not count; NaN where there is nothing else.
 [[nodiscard]] std::vector<float> percentiles(std::span<const float> values,

@@ -2,7 +2,6 @@
 #include "plots_panel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -18,14 +17,6 @@ namespace {
 constexpr float thresholds[] = {0.005F, 0.01F, 0.02F, 0.04F, 0.08F, 0.16F};
 constexpr std::uint32_t bins = 40;
 
-/// Bins that have equally many whole numbers each, and at least three of them.
-HistogramRange whole_number_bins(double lo, double hi) {
-  if (lo == hi) return {lo - 1.5, hi + 1.5, 3};
-  const double width = std::ceil((hi - lo + 1) / bins);
-  const double count = std::ceil((hi - lo + 1) / width);
-  return {lo - 0.5, lo - 0.5 + count * width, std::uint32_t(count)};
-}
-
 /// Where a few cuts are far larger than the others, of those others.
 Histogram cut_size_histogram(const LayerValues& layer, const LayerStatistics& statistics) {
   std::vector<float> values;
@@ -33,7 +24,7 @@ Histogram cut_size_histogram(const LayerValues& layer, const LayerStatistics& st
     if (layer.known[i] != 0 && layer.surface[i] != 0) values.push_back(layer.values[i]);
   if (statistics.known == 0) return histogram_of(values, {});
   const double most = std::max(automatic_scale(statistics, false).hi, statistics.least);
-  return histogram_of(values, whole_number_bins(statistics.least, most));
+  return histogram_of(values, whole_number_range(statistics.least, most, bins));
 }
 
 Plot cut_size_plot(const Histogram& histogram, const LayerStatistics& statistics) {
