@@ -106,6 +106,15 @@ std::string assertion(const char* comparison, const std::string& subject,
                      comparison, subject, property);
 }
 
+/// What is to hold for the subject once it is mended: the library, where a mutant or a plug-in does
+/// not hold, and others of the library's subjects themselves.
+const char* subject_that_holds(const std::string& name) {
+  if (name == "locally-ordered") return "locally_ordered_subject()";
+  if (name == "paper") return "paper_subject()";
+  if (name == "stochastic-intensity") return "stochastic_intensity_subject()";
+  return "library_subject()";
+}
+
 } // namespace
 
 std::string as_test(const SavedCounterexample& saved) {
@@ -121,8 +130,7 @@ std::string as_test(const SavedCounterexample& saved) {
                       info(saved.counterexample.property).statement,
                       is_mutant ? camel_case(name) : "Counterexample", camel_case(property));
   text += case_text(saved.counterexample.on);
-  const std::string library = saved.subject == "paper" ? "paper_subject()" : "library_subject()";
-  text += assertion("EQ", library, snake_case(property));
+  text += assertion("EQ", subject_that_holds(saved.subject), snake_case(property));
   if (is_mutant)
     text +=
         assertion("NE", fmt::format("mutant_named(\"{}\")->subject()", name), snake_case(property));

@@ -42,6 +42,9 @@ TEST(AsTest, JudgesTheSubjectOfTheFile) {
   };
   EXPECT_THAT(text("lightcuts"), HasSubstr("failure_of(*library_subject()"));
   EXPECT_THAT(text("paper"), HasSubstr("failure_of(*paper_subject()"));
+  EXPECT_THAT(text("locally-ordered"), HasSubstr("failure_of(*locally_ordered_subject()"));
+  EXPECT_THAT(text("stochastic-intensity"),
+              HasSubstr("failure_of(*stochastic_intensity_subject()"));
   EXPECT_THAT(text("lightcuts"), Not(HasSubstr("EXPECT_NE")));
   EXPECT_THAT(text("mutant:heap-inverted"), HasSubstr("TEST(HeapInverted, ThreadsAgree)"));
 }

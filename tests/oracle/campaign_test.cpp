@@ -63,5 +63,17 @@ INSTANTIATE_TEST_SUITE_P(Cloud, Campaign,
                                   std::get<1>(tested.param);
                          });
 
+TEST(LocallyOrderedCampaign, FindsNothingButTreesThatCostMore) {
+  const Scene scene = make_builtin("cloud?lights=2000&kind=mixed&material=ggx&blocks=20");
+  const CheckResult result =
+      check(SceneView(scene), *locally_ordered_subject(), {.pairs = pairs_of_scene, .threads = 1});
+  for (std::size_t i = 0; i < property_count; ++i) {
+    if (Property(i) == Property::tree_equals_naive) continue;
+    const PropertyCount& count = result.tally[Property(i)];
+    EXPECT_EQ(count.violations, 0U) << info(Property(i)).name << ": " << count.first_violation;
+  }
+  EXPECT_GE(result.pairs, pairs_of_scene);
+}
+
 } // namespace
 } // namespace lightcuts::oracle

@@ -23,8 +23,8 @@ TEST(ReportJson, has_the_keys_of_the_schema_in_order) {
   const Json json = Json::parse(report_json(made_up_report()));
   EXPECT_EQ(json["schema"], "lightcuts-oracle/report/1");
   EXPECT_EQ(keys_of(json),
-            (std::vector<std::string>{"schema", "scene", "seed", "builder", "lights", "triangles", "width",
-                                      "height", "surface_pixels", "threads", "repeats",
+            (std::vector<std::string>{"schema", "scene", "seed", "builder", "lights", "triangles",
+                                      "width", "height", "surface_pixels", "threads", "repeats",
                                       "black_level", "needs", "left_out", "runs"}));
   EXPECT_EQ(
       keys_of(json["runs"][0]),
