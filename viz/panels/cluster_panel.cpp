@@ -52,7 +52,7 @@ bool is_up_to_date(const ClusterContents& contents, const ClusterPanelState& sta
 void update_order(const ClusterContents& contents, ClusterPanelState& state) {
   if (is_up_to_date(contents, state)) return;
   FilterReading reading = read_filter(state.filter);
-  ClusterPanelState::Order& order = state.order.emplace();
+  ClusterOrder& order = state.order.emplace();
   order.filter = state.filter;
   order.error = std::move(reading.error);
   order.column = state.column;

@@ -21,23 +21,23 @@ struct ClusterContents {
   std::optional<std::uint32_t> selected = {}; ///< a node; default none
 };
 
+/// The rows shown, as long as nothing of what they depend on changes.
+struct ClusterOrder {
+  std::string filter, error;
+  ClusterColumn column = ClusterColumn::node;
+  bool descending = false;
+  std::uint64_t revision = 0;
+  std::size_t of = 0; ///< rows there are
+  std::vector<std::uint32_t> rows;
+};
+
 /// What stays from frame to frame.
 struct ClusterPanelState {
   std::string filter;                           ///< see read_filter(); default empty
   ClusterColumn column = ClusterColumn::share;  ///< by which it is sorted at first; default share
   bool descending = true;                       ///< default true
   std::optional<std::uint32_t> shown_selection; ///< to see that it has changed
-
-  /// The rows shown, as long as nothing of what they depend on changes.
-  struct Order {
-    std::string filter, error;
-    ClusterColumn column = ClusterColumn::node;
-    bool descending = false;
-    std::uint64_t revision = 0;
-    std::size_t of = 0; ///< rows there are
-    std::vector<std::uint32_t> rows;
-  };
-  std::optional<Order> order;
+  std::optional<ClusterOrder> order;
 };
 
 struct ClusterEvents {

@@ -21,6 +21,7 @@ inline const ImVec4 quiet_text{0.62F, 0.63F, 0.68F, 1};
 
 /// As ImGui's OpenGL backend takes it.
 [[nodiscard]] inline ImTextureID texture_id(const Texture2D& texture) {
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): a pointer is what ImGui takes
   return reinterpret_cast<ImTextureID>(std::uintptr_t(texture.id()));
 }
 

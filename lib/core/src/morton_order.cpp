@@ -62,7 +62,7 @@ void sort_by_morton_order(std::vector<Cluster>& clusters) {
       const double position = 0.5 * double(c.box.lo[i]) + 0.5 * double(c.box.hi[i]);
       const double axis = 0.5 * double(c.axes.lo[i]) + 0.5 * double(c.axes.hi[i]);
       key.cell[std::size_t(i)] = cell_of((position - double(all.lo[i])) * position_scale);
-      key.cell[std::size_t(3 + i)] = cell_of((axis - double(axes.lo[i])) * axis_scale);
+      key.cell[3 + std::size_t(i)] = cell_of((axis - double(axes.lo[i])) * axis_scale);
     }
     keys.push_back(key);
   }
