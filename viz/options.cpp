@@ -33,6 +33,13 @@ std::optional<glm::uvec2> parse_pair(const std::string& text, char separator) {
   return glm::uvec2(std::stoul(text.substr(0, at)), std::stoul(second));
 }
 
+/// A CLI11 check of whole numbers: what CLI::PositiveNumber says has 300 digits.
+std::string at_least_one(const std::string& text) {
+  return text.find_first_not_of('0') == std::string::npos || text.starts_with('-')
+             ? "'" + text + "' is not a whole number above 0"
+             : "";
+}
+
 std::string check_size(const std::string& text) {
   const auto size = parse_pair(text, 'x');
   const bool good = size && size->x > 0 && size->y > 0 && std::max(size->x, size->y) <= 16384;
@@ -93,7 +100,7 @@ void add_scene_options(CLI::App& command, Options& options) {
   command
       .add_option("--lights", options.lights,
                   "so many random lights in its upper half instead of its own; default: its own")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one);
   command
       .add_option("--image-size", options.image_size,
                   "WIDTHxHEIGHT of the rendered image; default: the scene's")
@@ -119,7 +126,7 @@ void add_shading_options(CLI::App& command, Options& options) {
                   "how lights are clustered in a tree; default: greedy")
       ->check(CLI::IsMember(builder_names()));
   command.add_option("--max-cut", options.max_cut, "largest number of clusters; default: 5000")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one);
   command.add_flag("--always-tree", options.always_tree,
                    "use the light tree even where it does not pay");
 }
@@ -132,7 +139,7 @@ void add_view_options(CLI::App& command, Options& options) {
   command.add_option("--node", options.node, "the selected cluster; default: none");
   command
       .add_option("--step", options.step, "the cut when it had so many clusters; default: its end")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one);
   command.add_option("--tab", options.tab, "the panel at the right; default: cut")
       ->check(CLI::IsMember(tab_names()));
   command.add_option("--colour-map", options.colour_map, "default: inferno")

@@ -121,9 +121,12 @@ bool has_clairvoyant_cut(const Row& row) {
 std::vector<SampledRow> sample_sizes(const SceneView& view, const LightTree& tree,
                                      const std::vector<Row>& rows, const MeasureConfig& config) {
   std::vector<SampledRow> sampled;
-  for (const Row& row : rows)
-    if (has_clairvoyant_cut(row))
-      sampled.push_back({tree_of(row.config.method, tree), row.config.cut});
+  for (const Row& row : rows) {
+    if (!has_clairvoyant_cut(row)) continue;
+    SampledRow& last = sampled.emplace_back();
+    last.subject = tree_of(row.config.method, tree);
+    last.cut = row.config.cut;
+  }
   if (sampled.empty()) return sampled;
   const LightSet& scene_lights = view.scene().lights;
   const std::size_t lights = scene_lights.size();

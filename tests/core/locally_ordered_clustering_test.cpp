@@ -63,7 +63,7 @@ std::vector<NaiveCluster> naive_local_clusters(const LightSet& lights) {
   all.resize(lights.size()); // the lights themselves
   std::vector<Placed> open;
   for (const std::uint32_t light :
-       naive_morton_order(Dendrogram(lights, 1).clusters_of(lights[0].kind)))
+       naive_morton_order(Dendrogram(lights, {}).clusters_of(lights[0].kind)))
     open.push_back({std::uint32_t(open.size()), std::int32_t(light)});
   while (open.size() > 1) {
     std::vector<std::size_t> choice;

@@ -61,7 +61,7 @@ TEST(MortonOrder, TellsAxesApartWherePositionsAreOne) {
 RC_GTEST_PROP(MortonOrder, IsThatOfInterleavedBits, ()) {
   const auto kind = LightKind(*rc::gen::inRange(0, light_kind_count));
   const LightSet lights = (*gen::scene_of(kind, 0, false, 60)).light_set();
-  const std::vector<Cluster> clusters = Dendrogram(lights, 1).clusters_of(kind);
+  const std::vector<Cluster> clusters = Dendrogram(lights, {}).clusters_of(kind);
   RC_ASSERT(ids(in_order(clusters)) == naive_morton_order(clusters));
 }
 

@@ -144,6 +144,20 @@ TEST(Build, ChoosesRepresentativesInProportionToIntensity) {
   }
 }
 
+TEST(Build, EndsSoonOnceItIsCancelled) {
+  LightSet lights;
+  gen::Dice dice(7);
+  for (int i = 0; i < 10000; ++i) lights.add_omni(dice.in_cube(), glm::vec3(1));
+  for (const Builder builder : all_builders) {
+    int asked = 0;
+    const auto cancelled = [&asked] { return ++asked == 3; };
+    EXPECT_THROW((void)build(lights, {1, builder, cancelled}), BuildCancelled);
+    EXPECT_EQ(asked, 3);
+    const auto never = [] { return false; };
+    EXPECT_EQ(build(lights, {1, builder, never}).nodes().size(), 19999U);
+  }
+}
+
 TEST(Build, OfNoLightsIsEmpty) {
   for (const Builder builder : all_builders) EXPECT_TRUE(build({}, {1, builder}).empty());
 }

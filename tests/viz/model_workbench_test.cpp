@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <model/workbench.h>
 
+#include <chrono>
+#include <thread>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -136,6 +139,36 @@ TEST(WorkbenchOpening, SaysSoWhereTheFirstSceneFails) {
   ASSERT_THAT(bench.messages(), SizeIs(1));
   bench.open(small_spec);
   bench.state.open.image_size = glm::uvec2(8, 6);
+  settle(bench);
+  EXPECT_NE(bench.scene(), nullptr);
+}
+
+TEST(WorkbenchOpening, CanBeCancelled) {
+  SmallWorkbench bench;
+  settle(bench);
+  const auto good = bench.scene();
+  bench.open("cloud?lights=1000000&blocks=0"); // 10 s to build its tree
+  bench.update();
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500)); // at the tree by now
+  EXPECT_TRUE(bench.opening());
+  bench.cancel_opening();
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_TRUE(comes_true([&] { return !bench.opening(); }));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+  settle(bench);
+  EXPECT_EQ(bench.scene(), good);
+  EXPECT_EQ(bench.state.open, small_request());
+  EXPECT_THAT(bench.messages(), IsEmpty());
+}
+
+TEST(WorkbenchOpening, OfTheFirstSceneCanBeCancelled) {
+  Workbench bench;
+  bench.open("cloud?lights=1000000&blocks=0");
+  bench.update();
+  bench.cancel_opening();
+  settle(bench);
+  EXPECT_EQ(bench.scene(), nullptr);
+  bench.state.open = small_request();
   settle(bench);
   EXPECT_NE(bench.scene(), nullptr);
 }

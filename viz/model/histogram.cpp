@@ -31,9 +31,10 @@ std::vector<double> multiples(double lo, double hi, std::uint32_t most, int digi
   const double step = decimal(digit, exponent);
   const double first = std::ceil(lo / step), last = std::floor(hi / step);
   if (!(last - first < most)) return {};
+  const auto count = std::uint32_t(last - first + 1); // 0 where there is none
   std::vector<double> ticks;
-  for (double i = first; i <= last; ++i) {
-    const double tick = decimal(i * digit, exponent) + 0.0; // no -0
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double tick = decimal((first + i) * digit, exponent) + 0.0; // no -0
     if (tick >= lo && tick <= hi) ticks.push_back(tick);
   }
   return ticks;

@@ -22,7 +22,7 @@ public:
     if (const auto& c = scene_.counterexample()) {
       const oracle::CaseView& view = c->saved.counterexample.on.views[c->view];
       const ShadingPoint point = view.view.point();
-      visible_.emplace(point, point.position(), glm::vec3(0));
+      visible_.emplace(VisiblePoint{point, point.position(), glm::vec3(0)});
       hidden_.insert(view.hidden.begin(), view.hidden.end());
     } else if (glm::all(glm::lessThan(key.pixel, view_.size()))) {
       if (auto p = view_.at(key.pixel)) visible_.emplace(*p);

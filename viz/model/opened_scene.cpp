@@ -62,15 +62,20 @@ std::vector<std::uint32_t> depths(const oracle::Topology& topology) {
 
 } // namespace
 
-OpenedScene::OpenedScene(OpenRequest request) : request_(std::move(request)) {
+OpenedScene::OpenedScene(OpenRequest request, std::stop_token stop)
+    : request_(std::move(request)), stop_(std::move(stop)) {
   if (is_counterexample(request_.spec))
     open_counterexample();
   else
     scene_ = scene_for(request_);
+  leave_if_cancelled();
   view_ = std::make_unique<SceneView>(scene_);
+  leave_if_cancelled();
   build_tree();
+  leave_if_cancelled();
   if (counterexample_ && counterexample_->node) judge_counterexample();
   depth_ = depths(topology_);
+  leave_if_cancelled();
   if (counterexample_) {
     default_threshold_ = counterexample_->cut.threshold;
     black_level_ = counterexample_->cut.black_level;
@@ -79,6 +84,10 @@ OpenedScene::OpenedScene(OpenRequest request) : request_(std::move(request)) {
     needs_ = find_needs(*view_, *tree_, {default_threshold_, default_max_cut, 0});
     black_level_ = needs_.black_level;
   }
+}
+
+void OpenedScene::leave_if_cancelled() const {
+  if (stop_.stop_requested()) throw OpeningCancelled();
 }
 
 void OpenedScene::open_counterexample() {
@@ -136,7 +145,13 @@ void OpenedScene::build_tree() {
   const auto start = std::chrono::steady_clock::now();
   const std::uint64_t seed =
       counterexample_ ? counterexample_->saved.counterexample.on.seed : request_.tree_seed;
-  tree_ = std::make_shared<const LightTree>(build(scene_.lights, {seed, request_.builder}));
+  const auto cancelled = [this] { return stop_.stop_requested(); };
+  try {
+    tree_ = std::make_shared<const LightTree>(
+        build(scene_.lights, {seed, request_.builder, cancelled}));
+  } catch (const BuildCancelled&) {
+    throw OpeningCancelled();
+  }
   build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   oracle::TreeClaim claim;
   if (counterexample_) {

@@ -2,6 +2,7 @@
 #include "picture.h"
 
 #include <exception>
+#include <ranges>
 
 namespace lightcuts::viz {
 
@@ -78,8 +79,8 @@ std::string Picture::failure() const {
 }
 
 std::uint32_t Picture::nearest_known(const std::vector<char>& known, glm::uvec2 pixel) const {
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    const glm::uvec2 from = pixel - pixel % *step;
+  for (const unsigned step : std::views::reverse(steps)) {
+    const glm::uvec2 from = pixel - pixel % step;
     const std::uint32_t i = from.y * size_.x + from.x;
     if (known[i] != 0) return i;
   }

@@ -79,7 +79,9 @@ void Workbench::ask_to_open() {
     std::shared_ptr<const OpenedScene> opened;
     std::string failure;
     try {
-      opened = std::make_shared<const OpenedScene>(request);
+      opened = std::make_shared<const OpenedScene>(request, stop);
+    } catch (const OpeningCancelled&) {
+      return;
     } catch (const std::exception& error) {
       failure = error.what();
     }
@@ -88,6 +90,12 @@ void Workbench::ask_to_open() {
     handover->scene = std::move(opened);
     handover->open_failure = std::move(failure);
   });
+}
+
+void Workbench::cancel_opening() {
+  opener_.cancel();
+  state.open = scene_ ? scene_->request() : OpenRequest();
+  asked_to_open_ = state.open;
 }
 
 void Workbench::take_opened() {

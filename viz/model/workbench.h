@@ -66,6 +66,8 @@ public:
   /// Null until the first one is open.
   [[nodiscard]] const std::shared_ptr<const OpenedScene>& scene() const { return scene_; }
   [[nodiscard]] bool opening() const { return opener_.busy(); }
+  /// The open scene stays, if there is one.
+  void cancel_opening();
   [[nodiscard]] const std::vector<Message>& messages() const { return messages_; }
   void say(std::string text, bool error = false) { messages_.push_back({std::move(text), error}); }
   void clear_messages() { messages_.clear(); }

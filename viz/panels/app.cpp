@@ -71,7 +71,7 @@ void colour_map_combo(ColourMap& map) {
   ImGui::EndCombo();
 }
 
-std::string counted(std::uint64_t n, const char* what) {
+std::string if_any(std::uint64_t n, const char* what) {
   return n == 0 ? std::string() : fmt::format("  {} {}", n, what);
 }
 
@@ -165,11 +165,15 @@ void App::draw_menu() {
   if (ImGui::MenuItem("Help")) shows_help_ = true;
   if (scene_) {
     const Scene& scene = scene_->scene();
-    ImGui::TextColored(quiet_text, "   %s: %zu lights, %zu triangles, %u x %u", scene.name.c_str(),
-                       scene.lights.size(), scene.mesh.triangles.size(), scene.image_size.x,
+    ImGui::TextColored(quiet_text, "   %s: %s, %s, %u x %u", scene.name.c_str(),
+                       counted(scene.lights.size(), "light").c_str(),
+                       counted(scene.mesh.triangles.size(), "triangle").c_str(), scene.image_size.x,
                        scene.image_size.y);
   }
-  if (workbench_.opening()) ImGui::TextUnformatted("   opening ...");
+  if (workbench_.opening()) {
+    ImGui::TextUnformatted("   opening ...");
+    if (scene_ && ImGui::SmallButton("Cancel")) workbench_.cancel_opening();
+  }
   ImGui::EndMainMenuBar();
 }
 
@@ -287,7 +291,7 @@ void App::draw_status() {
         fmt::format("mean {}  largest {}", short_text(n.mean), short_text(n.largest)).c_str());
   else
     ImGui::TextUnformatted("");
-  const std::string odd = counted(n.nan, "NaN (magenta)") + counted(n.infinite, "infinite (cyan)");
+  const std::string odd = if_any(n.nan, "NaN (magenta)") + if_any(n.infinite, "infinite (cyan)");
   if (!odd.empty()) {
     ImGui::SameLine();
     ImGui::TextColored(violation_text, "%s", odd.c_str());
@@ -417,6 +421,8 @@ void App::draw_welcome() {
   ImGui::SetCursorPos({size.x * 0.35F, size.y * 0.4F});
   if (workbench_.opening()) {
     ImGui::Text("Opening %s ...", workbench_.state.open.spec.c_str());
+    ImGui::SetCursorPosX(size.x * 0.35F);
+    if (ImGui::Button("Cancel")) workbench_.cancel_opening();
     return;
   }
   ImGui::TextUnformatted("Drop a scene here, or press Ctrl+O.");

@@ -35,9 +35,9 @@ std::string details(const ClusterRow& row) {
   const char* seen = row.representative == oracle::TreeClaim::unsaid ? "not said"
                      : row.visible                                   ? "seen"
                                                                      : "hidden";
-  return fmt::format("node {}, depth {}, {} lights\nintensity {} W/sr\nrepresentative {} ({})\n"
+  return fmt::format("node {}, depth {}, {}\nintensity {} W/sr\nrepresentative {} ({})\n"
                      "bound    {} radiance\nestimate {}\ntruth    {}\nerror    {}\nshare {}",
-                     row.node, row.depth, row.lights, rgb_text(row.intensity),
+                     row.node, row.depth, counted(row.lights, "light"), rgb_text(row.intensity),
                      cell_text(row, ClusterColumn::representative), seen, rgb_text(row.bound),
                      rgb_text(row.estimate), truth, error_text, short_text(row.share));
 }

@@ -58,8 +58,10 @@ void swatch(ImU32 colour, const char* name) {
 
 void draw_legend(const IcicleContents& contents) {
   const oracle::Topology& tree = contents.tree;
-  ImGui::Text("%u lights in %u levels; cut: %u clusters", tree.size() > 0 ? tree.light_count(0) : 0,
-              contents.icicle.depth(), contents.cut_size);
+  const std::string text =
+      fmt::format("{} in {}; cut: {}", counted(tree.size() > 0 ? tree.light_count(0) : 0, "light"),
+                  counted(contents.icicle.depth(), "level"), counted(contents.cut_size, "cluster"));
+  ImGui::TextUnformatted(text.c_str());
   swatch(packed(colour_of(IcicleBlockKind::above_cut)), "above");
   swatch(packed(colour_of(IcicleBlockKind::cut)), "cut");
   swatch(packed(colour_of(IcicleBlockKind::below_cut)), "below");
@@ -140,8 +142,8 @@ void draw_blocks(const Canvas& c, const IcicleContents& contents, const IcicleVi
 
 void draw_tooltip(const IcicleContents& contents, std::uint32_t node) {
   const oracle::Topology& tree = contents.tree;
-  std::string text = fmt::format("node {}, depth {}\n{} lights", node,
-                                 contents.icicle.depth_of(node), tree.light_count(node));
+  std::string text = fmt::format("node {}, depth {}\n{}", node, contents.icicle.depth_of(node),
+                                 counted(tree.light_count(node), "light"));
   if (tree.intensity(node))
     text += fmt::format("\nintensity {} W/sr", rgb_text(*tree.intensity(node)));
   if (contents.row)

@@ -96,10 +96,10 @@ void cluster(Workbench& workbench) {
     quiet("no cluster selected: click one in the tree, the table or the scene");
     return;
   }
-  ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(selection_colour), "%s",
-                     fmt::format("node {}: {} light{}, depth {}", row->node, row->lights,
-                                 row->lights == 1 ? "" : "s", row->depth)
-                         .c_str());
+  ImGui::TextColored(
+      ImGui::ColorConvertU32ToFloat4(selection_colour), "%s",
+      fmt::format("node {}: {}, depth {}", row->node, counted(row->lights, "light"), row->depth)
+          .c_str());
   ImGui::SameLine();
   quiet(row->visible ? "its representative is seen" : "its representative is hidden");
   std::vector<std::string> parts{"bound " + rgb_text(glm::dvec3(row->bound)),

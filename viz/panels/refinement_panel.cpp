@@ -68,11 +68,13 @@ void heap(Workbench& workbench, const Inspection& inspection) {
   const auto shown = std::min<std::size_t>(rows.size(), 5);
   std::partial_sort(rows.begin(), rows.begin() + std::ptrdiff_t(shown), rows.end(),
                     [](const auto* a, const auto* b) { return a->share > b->share; });
-  ImGui::TextUnformatted(fmt::format("heap: {} clusters, the largest", rows.size()).c_str());
+  ImGui::TextUnformatted(
+      fmt::format("heap: {}, the largest", counted(rows.size(), "cluster")).c_str());
   for (std::size_t i = 0; i < shown; ++i) {
     const bool selected = workbench.state.node == rows[i]->node;
-    const auto text = fmt::format("node {}: {} lights, {} of the threshold##heap{}", rows[i]->node,
-                                  rows[i]->lights, short_text(float(rows[i]->share)), i);
+    const auto text =
+        fmt::format("node {}: {}, {} of the threshold##heap{}", rows[i]->node,
+                    counted(rows[i]->lights, "light"), short_text(float(rows[i]->share)), i);
     if (ImGui::Selectable(text.c_str(), selected)) workbench.state.node = rows[i]->node;
   }
 }

@@ -171,7 +171,7 @@ void run_window(const AppSettings& settings, std::optional<float> scale,
   glfwHideWindow(window.get());
   glfwPollEvents();
   end(settings_of(app, window_size));
-  // A scene that is being opened cannot be left, and nobody waits for it.
+  // Reading a file cannot be left, and nobody waits for it.
   if (app.workbench().opening()) std::_Exit(0);
 }
 

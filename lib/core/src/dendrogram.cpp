@@ -18,7 +18,8 @@ double hashed_uniform(std::uint64_t seed, std::uint32_t a, std::uint32_t b) {
 
 } // namespace
 
-Dendrogram::Dendrogram(const LightSet& lights, std::uint64_t seed) : lights_(lights), seed_(seed) {
+Dendrogram::Dendrogram(const LightSet& lights, const BuildConfig& config)
+    : lights_(lights), config_(config) {
   const std::size_t total = 2 * lights.size() - 1;
   nodes_.reserve(total);
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
@@ -44,6 +45,9 @@ std::vector<Cluster> Dendrogram::clusters_of(LightKind kind) const {
 }
 
 Cluster Dendrogram::join(Cluster a, Cluster b) {
+  constexpr std::size_t now_and_then = 1024;
+  if (nodes_.size() % now_and_then == 0 && config_.cancelled && config_.cancelled())
+    throw BuildCancelled();
   if (b.id < a.id) std::swap(a, b);
   const TreeNode& node_a = nodes_[a.node];
   const TreeNode& node_b = nodes_[b.node];
@@ -59,7 +63,7 @@ Cluster Dendrogram::join(Cluster a, Cluster b) {
 }
 
 bool Dendrogram::takes_first(const Cluster& a, const Cluster& b) const {
-  return hashed_uniform(seed_, a.id, b.id) * (a.weight + b.weight) < a.weight;
+  return hashed_uniform(config_.seed, a.id, b.id) * (a.weight + b.weight) < a.weight;
 }
 
 std::vector<TreeNode> Dendrogram::laid_out() const {

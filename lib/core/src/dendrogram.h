@@ -8,6 +8,7 @@
 #include "cluster.h"
 #include <lightcuts/light_set.h>
 #include <lightcuts/light_tree.h>
+#include <lightcuts/tree_builder.h>
 
 namespace lightcuts {
 
@@ -15,12 +16,13 @@ namespace lightcuts {
 /// a cluster of its own; complete after one merge less than there are lights.
 class Dendrogram {
 public:
-  /// lights: at least one, to be kept alive; seed: of the choice of representatives.
-  Dendrogram(const LightSet& lights, std::uint64_t seed);
+  /// lights: at least one, to be kept alive; config: what it says of representatives and of being
+  /// cancelled.
+  Dendrogram(const LightSet& lights, const BuildConfig& config);
 
   /// The lights of one kind.
   [[nodiscard]] std::vector<Cluster> clusters_of(LightKind kind) const;
-  /// Merges two clusters that were not merged before.
+  /// Merges two clusters that were not merged before. Throws BuildCancelled.
   Cluster join(Cluster a, Cluster b);
   /// As LightTree wants it: node 0 the root, siblings together, parents before children.
   [[nodiscard]] std::vector<TreeNode> laid_out() const;
@@ -31,7 +33,7 @@ private:
   [[nodiscard]] bool takes_first(const Cluster& a, const Cluster& b) const;
 
   const LightSet& lights_;
-  std::uint64_t seed_;
+  const BuildConfig& config_;
   std::vector<TreeNode> nodes_; ///< the lights, then the merged clusters
   std::vector<Children> children_;
 };

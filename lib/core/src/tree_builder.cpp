@@ -25,7 +25,7 @@ LightTree build(const LightSet& lights, const BuildConfig& config) {
   if (lights.empty()) return {};
   if (lights.size() > (std::size_t(1) << 31))
     throw InputError("more than 2^31 lights: a tree node's index has 32 bits");
-  Dendrogram record(lights, config.seed);
+  Dendrogram record(lights, config);
   std::vector<Cluster> roots;
   for (int kind = 0; kind < light_kind_count; ++kind) {
     std::vector<Cluster> clusters = record.clusters_of(LightKind(kind));

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 
 #include <lightcuts/light_set.h>
@@ -25,6 +27,13 @@ inline constexpr Builder all_builders[] = {Builder::greedy, Builder::locally_ord
 struct BuildConfig {
   std::uint64_t seed = 1; ///< of the random choice of representatives; default 1
   Builder builder = Builder::greedy;
+  std::function<bool()> cancelled; ///< asked now and then whether to leave it; may be empty
+};
+
+/// Thrown by build() once it is cancelled.
+class BuildCancelled : public std::runtime_error {
+public:
+  BuildCancelled() : std::runtime_error("cancelled") {}
 };
 
 /// Builds a tree by bottom-up clustering (Walter et al. 2005, section 3.1). Merging two clusters
@@ -45,7 +54,7 @@ struct BuildConfig {
 /// rounds, each cluster looks for its cheapest partner among eight neighbours on a Morton curve,
 /// and those that choose each other merge. Near-linear time, whatever the lights.
 ///
-/// Throws InputError for more than 2^31 lights.
+/// Throws InputError for more than 2^31 lights, and BuildCancelled.
 [[nodiscard]] LightTree build(const LightSet& lights, const BuildConfig& config = {});
 
 } // namespace lightcuts
