@@ -25,7 +25,9 @@ constexpr std::array<ClusterColumnInfo, cluster_column_count> columns{{
      "shown: the largest of R, G, B"},
     {"estimate", "radiance",
      "What the cluster is taken to contribute.\n"
-     "material * cosine * geometric term at the centroid * V(representative) * intensity\n"
+     "material * cosine * geometric term * V(representative) * intensity,\n"
+     "the first three at the centroid of intensity; at the representative where the method\n"
+     "is paper or unscaled\n"
      "shown: sum of R, G, B"},
     {"truth", "radiance",
      "What the cluster does contribute.\nsum of all its lights' contributions, each with its own "

@@ -2,7 +2,6 @@
 #include "picture.h"
 
 #include <exception>
-#include <ranges>
 
 namespace lightcuts::viz {
 
@@ -79,8 +78,8 @@ std::string Picture::failure() const {
 }
 
 std::uint32_t Picture::nearest_known(const std::vector<char>& known, glm::uvec2 pixel) const {
-  for (const unsigned step : std::views::reverse(steps)) {
-    const glm::uvec2 from = pixel - pixel % step;
+  for (std::size_t k = steps.size(); k-- > 0;) {
+    const glm::uvec2 from = pixel - pixel % steps[k];
     const std::uint32_t i = from.y * size_.x + from.x;
     if (known[i] != 0) return i;
   }

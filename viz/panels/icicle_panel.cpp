@@ -73,8 +73,12 @@ void hatch(const Canvas& c, ImVec2 lo, ImVec2 hi) {
   if (hi.x - lo.x < 3) return;
   const float height = hi.y - lo.y;
   c.draw->PushClipRect(lo, hi, true);
-  for (float x = lo.x - height + 5 - std::fmod(lo.x, 5.0F); x < hi.x; x += 5)
+  const float first = lo.x - height + 5 - std::fmod(lo.x, 5.0F);
+  const int count = int(std::ceil((hi.x - first) / 5));
+  for (int i = 0; i < count; ++i) {
+    const float x = first + 5 * float(i);
     c.draw->AddLine({x, hi.y}, {x + height, lo.y}, hatching);
+  }
   c.draw->PopClipRect();
 }
 

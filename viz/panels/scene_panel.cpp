@@ -160,6 +160,7 @@ void ScenePanel::pick(Workbench& workbench, const glm::dvec2& at, glm::uvec2 siz
   if (!result) return;
   const std::vector<ClusterRow>& rows = result->inspection.clusters;
   std::vector<glm::dvec3> places;
+  places.reserve(rows.size());
   for (const ClusterRow& row : rows) places.emplace_back(row.representative_position);
   if (const auto picked = pick_point(camera_.frame(size), size, places, at, click_reach))
     workbench.state.node = rows[*picked].node;
