@@ -79,6 +79,7 @@ std::string json_of(const CommonOptions& options, const Scene& scene, const Fact
   const nlohmann::ordered_json json{
       {"schema", "lightcuts-oracle/info/1"},
       {"scene", options.scene},
+      {"builder", options.builder},
       {"triangles", scene.mesh.triangles.size()},
       {"surfaces", scene.surfaces.size()},
       {"lights", scene.lights.size()},

@@ -60,6 +60,8 @@ int run(const RenderOptions& options) {
       {"schema", "lightcuts-oracle/render/1"},
       {"scene", options.scene},
       {"method", options.method},
+      {"builder", options.builder},
+      {"seed", options.seed},
       {"threshold", std::stod(fmt::format("{}", config.cut.threshold))},
       {"seconds", rendering.seconds},
       {"mean_cut_size", cut_size},

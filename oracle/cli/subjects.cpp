@@ -7,8 +7,9 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
   command
       .add_option(
           "--subject", options.subject,
-          "whom to judge: lightcuts, paper, stochastic-intensity, mutant:NAME, or the light "
-          "tree in a shared library written after lightcuts/oracle/subject_abi.h, ./FILE.so")
+          "whom to judge: lightcuts, locally-ordered (the same on trees of that builder), paper, "
+          "stochastic-intensity, mutant:NAME, or the light tree in a shared library written after "
+          "lightcuts/oracle/subject_abi.h, ./FILE.so")
       ->capture_default_str();
   command
       .add_option("--time-limit", options.time_limit,

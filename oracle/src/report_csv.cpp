@@ -23,11 +23,11 @@ std::string field(Number value) {
 } // namespace
 
 std::string report_csv(const Report& report) {
-  std::string csv = "scene";
+  std::string csv = "scene,builder";
   for_each_column(Run{}, [&](const char* name, const auto&) { csv.append(",").append(name); });
   csv += "\n";
   for (const Run& run : report.runs) {
-    csv += field(report.scene);
+    csv += field(report.scene) + "," + field(report.builder);
     for_each_column(run,
                     [&](const char*, const auto& value) { csv.append(",").append(field(value)); });
     csv += "\n";

@@ -153,6 +153,8 @@ TEST(Build, EndsSoonOnceItIsCancelled) {
     const auto cancelled = [&asked] { return ++asked == 3; };
     EXPECT_THROW((void)build(lights, {1, builder, cancelled}), BuildCancelled);
     EXPECT_EQ(asked, 3);
+    const auto at_once = [] { return true; };
+    EXPECT_THROW((void)build(lights, {1, builder, at_once}), BuildCancelled);
     const auto never = [] { return false; };
     EXPECT_EQ(build(lights, {1, builder, never}).nodes().size(), 19999U);
   }

@@ -171,6 +171,17 @@ TEST(OpenedCounterexample, HoldsForTheLibrary) {
   EXPECT_FALSE(scene->counterexample()->node);
 }
 
+TEST(OpenedCounterexample, HasTheTreeOfItsSubjectsBuilder) {
+  const CounterexampleFile file("locally-ordered", counterexample_of("locally-ordered"));
+  const auto scene = file.open();
+  const auto& on = scene->counterexample()->saved.counterexample.on;
+  const LightTree tree = build(scene->scene().lights, {on.seed, Builder::locally_ordered});
+  for (std::uint32_t i = 0; i < tree.nodes().size(); ++i) {
+    ASSERT_EQ(scene->tree()->node(i).box, tree.node(i).box) << i;
+    ASSERT_EQ(scene->topology().light_count(i), tree.node(i).light_count) << i;
+  }
+}
+
 TEST(OpenedCounterexample, OpensWhateverTheCase) {
   for (std::uint64_t index = 0; index < 300; ++index) {
     const oracle::Counterexample c{oracle::Property::bound_dominates_contribution,

@@ -25,7 +25,9 @@ ViewState plain() {
 /// Nothing as by default.
 ViewState chosen() {
   ViewState s;
-  s.open = {"models/a \"room\".obj", 0xffff'ffff'ffff'ffffU, Builder::locally_ordered, 0.1F, glm::uvec2(123, 45), 4321};
+  s.open = {"models/a \"room\".obj",  0xffff'ffff'ffff'ffffU,
+            Builder::locally_ordered, 0.1F,
+            glm::uvec2(123, 45),      4321};
   s.display = Method::stochastic;
   s.compared = DisplayMethod::raster();
   s.layer = Layer::slack;
@@ -97,8 +99,9 @@ TEST(ViewState, ComesBackAtTheEndsOfItsDomain) {
 
 TEST(ViewState, LeavesOutWhatIsAsByDefault) {
   const json text = json::parse(view_state_json(plain()));
-  for (const char* key : {"tree_seed", "builder", "min_distance", "image_size", "lights", "split", "pixel",
-                          "node", "step", "threshold", "range", "exposure", "zoom", "camera"})
+  for (const char* key :
+       {"tree_seed", "builder", "min_distance", "image_size", "lights", "split", "pixel", "node",
+        "step", "threshold", "range", "exposure", "zoom", "camera"})
     EXPECT_FALSE(text.contains(key)) << key;
   EXPECT_EQ(read_view_state("a.json", R"({"schema": "lightcuts-viz/view/1", "scene": "cloud"})"),
             plain());
@@ -127,13 +130,14 @@ INSTANTIATE_TEST_SUITE_P(
     Values, BadViewState,
     testing::Values(
         Edit{"schema", "\"lightcuts-viz/view/2\""}, Edit{"schema", "1"}, Edit{"more", "1"},
-        Edit{"scene", "7"}, Edit{"scene", "null"}, Edit{"builder", "\"Greedy\""}, Edit{"tree_seed", "-1"},
-        Edit{"tree_seed", "1.5"}, Edit{"tree_seed", "18446744073709551616"},
-        Edit{"min_distance", "0"}, Edit{"min_distance", "\"1\""}, Edit{"image_size", "[0, 4]"},
-        Edit{"image_size", "[4]"}, Edit{"image_size", "[4, 16385]"}, Edit{"image_size", "4"},
-        Edit{"lights", "0"}, Edit{"lights", "4294967296"}, Edit{"method", "\"magic\""},
-        Edit{"method", "1"}, Edit{"compared", "\"\""}, Edit{"layer", "\"cut\""},
-        Edit{"layer", "[]"}, Edit{"split", "1.1"}, Edit{"split", "-0.1"}, Edit{"split", "true"},
+        Edit{"scene", "7"}, Edit{"scene", "null"}, Edit{"builder", "\"Greedy\""},
+        Edit{"tree_seed", "-1"}, Edit{"tree_seed", "1.5"},
+        Edit{"tree_seed", "18446744073709551616"}, Edit{"min_distance", "0"},
+        Edit{"min_distance", "\"1\""}, Edit{"image_size", "[0, 4]"}, Edit{"image_size", "[4]"},
+        Edit{"image_size", "[4, 16385]"}, Edit{"image_size", "4"}, Edit{"lights", "0"},
+        Edit{"lights", "4294967296"}, Edit{"method", "\"magic\""}, Edit{"method", "1"},
+        Edit{"compared", "\"\""}, Edit{"layer", "\"cut\""}, Edit{"layer", "[]"},
+        Edit{"split", "1.1"}, Edit{"split", "-0.1"}, Edit{"split", "true"},
         Edit{"pixel", "[-1, 0]"}, Edit{"pixel", "[1, 2, 3]"}, Edit{"node", "-1"},
         Edit{"node", "\"0\""}, Edit{"step", "0"}, Edit{"threshold", "-0.1"},
         Edit{"threshold", "1e39"}, Edit{"threshold", "null"}, Edit{"max_cut", "0"},

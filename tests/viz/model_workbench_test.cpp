@@ -173,6 +173,15 @@ TEST(WorkbenchOpening, OfTheFirstSceneCanBeCancelled) {
   EXPECT_NE(bench.scene(), nullptr);
 }
 
+TEST(WorkbenchOpening, KeepsTheBuilder) {
+  SmallWorkbench bench;
+  bench.state.open.builder = Builder::locally_ordered;
+  settle(bench);
+  bench.open("cloud?lights=7&blocks=0");
+  settle(bench);
+  EXPECT_EQ(bench.scene()->request().builder, Builder::locally_ordered);
+}
+
 TEST(WorkbenchOpening, OpensWhatIsAskedForWhileAnotherFails) {
   SmallWorkbench bench;
   settle(bench);

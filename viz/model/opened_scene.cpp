@@ -143,12 +143,16 @@ void OpenedScene::judge_counterexample() {
 
 void OpenedScene::build_tree() {
   const auto start = std::chrono::steady_clock::now();
-  const std::uint64_t seed =
-      counterexample_ ? counterexample_->saved.counterexample.on.seed : request_.tree_seed;
+  std::uint64_t seed = request_.tree_seed;
+  Builder builder = request_.builder;
+  if (counterexample_) {
+    seed = counterexample_->saved.counterexample.on.seed;
+    // One of the library's subjects has the name of its builder.
+    builder = builder_named(counterexample_->saved.subject).value_or(Builder::greedy);
+  }
   const auto cancelled = [this] { return stop_.stop_requested(); };
   try {
-    tree_ = std::make_shared<const LightTree>(
-        build(scene_.lights, {seed, request_.builder, cancelled}));
+    tree_ = std::make_shared<const LightTree>(build(scene_.lights, {seed, builder, cancelled}));
   } catch (const BuildCancelled&) {
     throw OpeningCancelled();
   }

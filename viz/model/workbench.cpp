@@ -29,7 +29,7 @@ Workbench::~Workbench() = default;
 
 void Workbench::open(const std::string& spec) {
   if (!scene_) asked_to_open_.reset(); // the same again may succeed
-  state.open = {.spec = spec};
+  state.open = {.spec = spec, .builder = state.open.builder};
   if (scene_ && scene_->counterexample()) {
     state.shading.threshold.reset();
     state.shading.max_cut = default_max_cut;
@@ -94,7 +94,11 @@ void Workbench::ask_to_open() {
 
 void Workbench::cancel_opening() {
   opener_.cancel();
-  state.open = scene_ ? scene_->request() : OpenRequest();
+  {
+    const std::lock_guard lock(handover_->mutex);
+    handover_->scene = nullptr; // it may have come meanwhile
+  }
+  state.open = scene_ ? scene_->request() : OpenRequest{.builder = state.open.builder};
   asked_to_open_ = state.open;
 }
 

@@ -57,8 +57,8 @@ public:
   /// state asks for. Where the scene that is asked for cannot be opened there is a message, and the
   /// last good one stays.
   void update();
-  /// Opens another scene with the selection forgotten, and so the threshold and largest cut of a
-  /// counterexample.
+  /// Opens another scene, by the same builder, with the selection forgotten, and so the threshold
+  /// and largest cut of a counterexample.
   void open(const std::string& spec);
   /// Whether any job runs or is about to.
   [[nodiscard]] bool busy() const;

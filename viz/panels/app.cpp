@@ -163,16 +163,16 @@ void App::draw_menu() {
   draw_file_menu();
   draw_view_menu();
   if (ImGui::MenuItem("Help")) shows_help_ = true;
+  if (scene_ && workbench_.opening()) { // before what may be too long for the window
+    if (ImGui::SmallButton("Cancel")) workbench_.cancel_opening();
+    ImGui::TextUnformatted("opening ...");
+  }
   if (scene_) {
     const Scene& scene = scene_->scene();
     ImGui::TextColored(quiet_text, "   %s: %s, %s, %u x %u", scene.name.c_str(),
                        counted(scene.lights.size(), "light").c_str(),
                        counted(scene.mesh.triangles.size(), "triangle").c_str(), scene.image_size.x,
                        scene.image_size.y);
-  }
-  if (workbench_.opening()) {
-    ImGui::TextUnformatted("   opening ...");
-    if (scene_ && ImGui::SmallButton("Cancel")) workbench_.cancel_opening();
   }
   ImGui::EndMainMenuBar();
 }
@@ -272,7 +272,7 @@ void App::draw_status() {
   } else {
     const auto frame = workbench_.sources(workbench_.state.display, Layer::image).frame;
     if (frame->complete() && !workbench_.state.display.is_raster()) {
-      ImGui::Text("%s", duration_text(frame->seconds()).c_str());
+      ImGui::Text("rendered in %s", duration_text(frame->seconds()).c_str());
       ImGui::SameLine();
     }
     const auto needs = frame->needs();

@@ -81,9 +81,8 @@ void draw_filter(const ClusterContents& contents, ClusterPanelState& state) {
 void set_up_columns(const ClusterPanelState& state) {
   ImGui::TableSetupScrollFreeze(1, 1);
   // Truths come later, and are longer than what stands there until then.
-  const float number_width =
-      std::max(ImGui::CalcTextSize("8.888e-88").x,
-               ImGui::CalcTextSize("estimate").x + ImGui::GetFontSize()); // and the arrow
+  const float number = ImGui::CalcTextSize("8.888e-88").x;
+  const float arrow = ImGui::GetFontSize() * 0.65F + ImGui::GetStyle().FramePadding.x;
   for (int i = 0; i < cluster_column_count; ++i) {
     const auto column = ClusterColumn(i);
     ImGuiTableColumnFlags flags = column == ClusterColumn::node ? ImGuiTableColumnFlags_NoHide : 0;
@@ -91,8 +90,9 @@ void set_up_columns(const ClusterPanelState& state) {
     if (i >= int(ClusterColumn::share) || state.descending)
       flags |= ImGuiTableColumnFlags_PreferSortDescending;
     const bool is_long = column >= ClusterColumn::bound && column <= ClusterColumn::error;
-    ImGui::TableSetupColumn(info_of(column).name.data(), flags, is_long ? number_width : 0,
-                            ImGuiID(i));
+    const char* name = info_of(column).name.data();
+    const float width = std::max(number, ImGui::CalcTextSize(name).x + arrow);
+    ImGui::TableSetupColumn(name, flags, is_long ? width : 0, ImGuiID(i));
   }
 }
 

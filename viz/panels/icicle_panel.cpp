@@ -58,13 +58,16 @@ void swatch(ImU32 colour, const char* name) {
 
 void draw_legend(const IcicleContents& contents) {
   const oracle::Topology& tree = contents.tree;
-  const std::string text =
-      fmt::format("{} in {}; cut: {}", counted(tree.size() > 0 ? tree.light_count(0) : 0, "light"),
-                  counted(contents.icicle.depth(), "level"), counted(contents.cut_size, "cluster"));
+  std::string text =
+      fmt::format("{} in {}", counted(tree.size() > 0 ? tree.light_count(0) : 0, "light"),
+                  counted(contents.icicle.depth(), "level"));
+  if (contents.cut_size > 0) text += "; cut: " + counted(contents.cut_size, "cluster");
   ImGui::TextUnformatted(text.c_str());
-  swatch(packed(colour_of(IcicleBlockKind::above_cut)), "above");
-  swatch(packed(colour_of(IcicleBlockKind::cut)), "cut");
-  swatch(packed(colour_of(IcicleBlockKind::below_cut)), "below");
+  if (contents.cut_size > 0) {
+    swatch(packed(colour_of(IcicleBlockKind::above_cut)), "above");
+    swatch(packed(colour_of(IcicleBlockKind::cut)), "cut");
+    swatch(packed(colour_of(IcicleBlockKind::below_cut)), "below");
+  }
   swatch(hatching, "narrower than a pixel");
 }
 

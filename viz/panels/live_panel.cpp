@@ -115,10 +115,14 @@ void tree(Workbench& workbench) {
           "lights the better tree."});
   tooltip("How lights are clustered: by least intensity x (diagonal^2 + c^2 (1 - cos beta)^2). "
           "Builds the tree again.");
-  const double seconds = workbench.scene()->build_seconds();
-  const bool is_long = seconds >= 0.1;
-  ImGui::TextColored(quiet_text, "built in %.3g %s", is_long ? seconds : 1000 * seconds,
-                     is_long ? "s" : "ms");
+  if (workbench.opening()) {
+    ImGui::TextColored(quiet_text, "being built ...");
+  } else {
+    const double seconds = workbench.scene()->build_seconds();
+    const bool is_long = seconds >= 0.1;
+    ImGui::TextColored(quiet_text, "built in %.3g %s", is_long ? seconds : 1000 * seconds,
+                       is_long ? "s" : "ms");
+  }
   int tree_seed = int(workbench.state.open.tree_seed);
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
   if (ImGui::InputInt("seed of the tree", &tree_seed, 1, 10) && tree_seed >= 0)
@@ -145,19 +149,19 @@ void draw_live_panel(Workbench& workbench) {
   rules(workbench);
   whether_tree_is_used(workbench);
   ImGui::Separator();
-  // A counterexample has its own lights and tree.
-  ImGui::BeginDisabled(workbench.scene()->counterexample().has_value());
-  clamp(workbench);
-  tree(workbench);
-  ImGui::EndDisabled();
+  if (workbench.scene()->counterexample()) {
+    ImGui::TextColored(quiet_text, "a counterexample has its own lights and tree");
+  } else {
+    clamp(workbench);
+    tree(workbench);
+  }
   draws(workbench);
-  if (ImGui::Button("as at first")) {
+  if (ImGui::Button("as by default")) {
     workbench.state.shading = {};
     workbench.state.open.tree_seed = 1;
     workbench.state.open.builder = Builder::greedy;
     workbench.state.open.min_distance.reset();
   }
-  tooltip("All of this as by default.");
   ImGui::PopItemWidth();
 }
 

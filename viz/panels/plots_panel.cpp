@@ -149,7 +149,7 @@ void PlotsPanel::draw_controls(Workbench& workbench) {
     config.thresholds.assign(std::begin(thresholds), std::end(thresholds));
     config.max_cut = workbench.state.shading.max_cut;
     config.repeats = 1;
-    config.builder = workbench.state.open.builder;
+    config.builder = workbench.scene()->request().builder;
     workbench.start_report(config);
   }
   tooltip("Renders the scene by its own camera with each method at thresholds from 0.5 % to 16 %, "

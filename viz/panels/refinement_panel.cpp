@@ -69,7 +69,7 @@ void heap(Workbench& workbench, const Inspection& inspection) {
   std::partial_sort(rows.begin(), rows.begin() + std::ptrdiff_t(shown), rows.end(),
                     [](const auto* a, const auto* b) { return a->share > b->share; });
   ImGui::TextUnformatted(
-      fmt::format("heap: {}, the largest", counted(rows.size(), "cluster")).c_str());
+      fmt::format("heap: {}, these the largest", counted(rows.size(), "cluster")).c_str());
   for (std::size_t i = 0; i < shown; ++i) {
     const bool selected = workbench.state.node == rows[i]->node;
     const auto text =

@@ -22,6 +22,8 @@ public:
 
   /// The lights of one kind.
   [[nodiscard]] std::vector<Cluster> clusters_of(LightKind kind) const;
+  /// Throws BuildCancelled.
+  void leave_if_cancelled() const;
   /// Merges two clusters that were not merged before. Throws BuildCancelled.
   Cluster join(Cluster a, Cluster b);
   /// As LightTree wants it: node 0 the root, siblings together, parents before children.

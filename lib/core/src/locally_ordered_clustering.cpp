@@ -30,6 +30,7 @@ public:
 
   Cluster merged_to_one() {
     for (std::size_t left = clusters_.size(); left > 1;) {
+      record_.leave_if_cancelled();
       for (const std::uint32_t place : asked_) choice_[place] = cheapest_partner(place);
       const std::vector<Pair> pairs = mutual_choices();
       for (const std::uint32_t place : asked_) is_asked_[place] = 0;

@@ -26,6 +26,7 @@ LightTree build(const LightSet& lights, const BuildConfig& config) {
   if (lights.size() > (std::size_t(1) << 31))
     throw InputError("more than 2^31 lights: a tree node's index has 32 bits");
   Dendrogram record(lights, config);
+  record.leave_if_cancelled();
   std::vector<Cluster> roots;
   for (int kind = 0; kind < light_kind_count; ++kind) {
     std::vector<Cluster> clusters = record.clusters_of(LightKind(kind));
@@ -37,6 +38,7 @@ LightTree build(const LightSet& lights, const BuildConfig& config) {
   std::sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   Cluster all = roots.front();
   for (std::size_t i = 1; i < roots.size(); ++i) all = record.join(all, roots[i]);
+  record.leave_if_cancelled();
   return {lights, record.laid_out()};
 }
 

@@ -27,10 +27,11 @@ inline constexpr Builder all_builders[] = {Builder::greedy, Builder::locally_ord
 struct BuildConfig {
   std::uint64_t seed = 1; ///< of the random choice of representatives; default 1
   Builder builder = Builder::greedy;
-  std::function<bool()> cancelled; ///< asked now and then whether to leave it; may be empty
+  std::function<bool()> cancelled; ///< asked whether to leave it, at first and every
+                                   ///< 1024 merges at least; may be empty
 };
 
-/// Thrown by build() once it is cancelled.
+/// Thrown by build() where it is cancelled.
 class BuildCancelled : public std::runtime_error {
 public:
   BuildCancelled() : std::runtime_error("cancelled") {}
