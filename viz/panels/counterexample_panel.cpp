@@ -56,7 +56,9 @@ void draw_counterexample_panel(Workbench& workbench) {
   else
     ImGui::Text("holds for %s", c.saved.subject.c_str());
   wrapped(property.statement);
-  ImGui::TextColored(quiet_text, "%s", property.formula);
+  ImGui::PushStyleColor(ImGuiCol_Text, quiet_text);
+  wrapped(property.formula);
+  ImGui::PopStyleColor();
   if (c.still_fails) wrapped(c.message);
   draw_sides(workbench);
   ImGui::Separator();
