@@ -83,8 +83,7 @@ std::vector<NaiveCluster> naive_local_clusters(const LightSet& lights) {
 }
 
 std::string difference_from_naive(const LightSet& lights) {
-  const auto clusters = naive_local_clusters(lights);
-  return difference(build(lights, {1, Builder::locally_ordered}), 0, clusters, clusters.size() - 1);
+  return difference(build(lights, {1, Builder::locally_ordered}), naive_local_clusters(lights));
 }
 
 RC_GTEST_PROP(LocallyOrderedClustering, IsThatOfRoundsInWhichAllChooseAnew, ()) {

@@ -75,7 +75,7 @@ Plot error_against_time(const oracle::Report& report) {
 std::string exact_rows(const oracle::Report& report) {
   std::string names, last;
   for (const oracle::Run& run : report.runs) {
-    if (run.method == name_of(Method::reference) || run.mean_relative_error > 0) continue;
+    if (run.method == name_of(Method::reference) || run.mean_relative_error != 0) continue;
     names += run.method == last ? ", " : (names.empty() ? "" : "; ") + run.method + " ";
     names += fmt::format("{:g} %", 100 * run.threshold);
     last = run.method;
