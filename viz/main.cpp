@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "gl/gl_error.h"
-#include "options.h"
-#include "panels/offscreen.h"
-#include "panels/window.h"
-#include <lightcuts/input_error.h>
+#include <lightcuts/core/input_error.h>
+#include <viz/gl/context/gl_error.h>
+#include <viz/options.h>
+#include <viz/panels/app/offscreen.h>
+#include <viz/panels/app/window.h>
 
 namespace lightcuts::viz {
 namespace {

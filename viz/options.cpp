@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "options.h"
+#include <viz/options.h>
 
 #include <algorithm>
 #include <array>

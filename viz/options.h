@@ -6,9 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "model/app_settings.h"
-#include "model/view_state.h"
-#include "panels/app.h"
+#include <viz/model/state/app_settings.h>
+#include <viz/model/state/view_state.h>
+#include <viz/panels/app/app.h>
 
 namespace lightcuts::viz {
 

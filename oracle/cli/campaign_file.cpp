@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign_file.h"
+#include <oracle/cli/campaign_file.h>
 
 #include <cstdint>
 #include <fstream>
@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "common.h"
-#include <lightcuts/input_error.h>
-#include <lightcuts/render/output_folder.h>
+#include <lightcuts/core/input_error.h>
+#include <lightcuts/render/io/output_folder.h>
+#include <oracle/cli/common.h>
 
 namespace lightcuts::cli {
 namespace {

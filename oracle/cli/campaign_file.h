@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include <lightcuts/oracle/check.h>
 #include <nlohmann/json.hpp>
+#include <oracle/campaign/check.h>
 
 namespace lightcuts::cli {
 

@@ -7,19 +7,19 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "campaign_file.h"
-#include "commands.h"
-#include "common.h"
-#include "count.h"
-#include "counterexample_file.h"
-#include "progress.h"
-#include "property_table.h"
-#include "subjects.h"
-#include <lightcuts/oracle/check.h>
-#include <lightcuts/oracle/scene_case.h>
-#include <lightcuts/render/needs.h>
-#include <lightcuts/splitmix.h>
-#include <lightcuts/tree_builder.h>
+#include <lightcuts/core/numerics/splitmix.h>
+#include <lightcuts/core/tree/tree_builder.h>
+#include <lightcuts/render/view/scene_features.h>
+#include <oracle/campaign/check.h>
+#include <oracle/cases/scene_case.h>
+#include <oracle/cli/campaign_file.h>
+#include <oracle/cli/commands.h>
+#include <oracle/cli/common.h>
+#include <oracle/cli/count.h>
+#include <oracle/cli/counterexample_file.h>
+#include <oracle/cli/progress.h>
+#include <oracle/cli/property_table.h>
+#include <oracle/cli/subjects.h>
 
 namespace lightcuts::cli {
 namespace {
@@ -167,7 +167,7 @@ int run(const CheckOptions& options) {
   const SceneView view(scene);
   oracle::CheckConfig config = check_config_for(options, view);
   config.cut.black_level =
-      find_needs(view, build(scene.lights, {options.seed}), config.cut).black_level;
+      find_scene_features(view, build(scene.lights, {options.seed}), config.cut).black_level;
   const CheckResult result = checked(options, view, *subject, config);
   std::optional<CounterexampleFile> file;
   if (const auto found = counterexample_of(*subject, view, config, result))

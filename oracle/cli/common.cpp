@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common.h"
+#include <oracle/cli/common.h>
 
 #include <charconv>
 #include <cmath>
@@ -8,16 +8,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "count.h"
-#include <lightcuts/input_error.h>
-#include <lightcuts/render/area_lights.h>
-#include <lightcuts/render/environment_lights.h>
-#include <lightcuts/render/light_generator.h>
-#include <lightcuts/render/open_scene.h>
-#include <lightcuts/render/output_folder.h>
-#include <lightcuts/render/renderer.h>
-#include <lightcuts/render/surfels.h>
-#include <lightcuts/render/virtual_point_lights.h>
+#include <lightcuts/core/input_error.h>
+#include <lightcuts/render/io/open_scene.h>
+#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/lighting/area_lights.h>
+#include <lightcuts/render/lighting/environment_lights.h>
+#include <lightcuts/render/lighting/light_generator.h>
+#include <lightcuts/render/lighting/surfels.h>
+#include <lightcuts/render/lighting/virtual_point_lights.h>
+#include <lightcuts/render/view/renderer.h>
+#include <oracle/cli/count.h>
 
 namespace lightcuts::cli {
 namespace {

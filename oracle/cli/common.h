@@ -9,12 +9,12 @@
 
 #include <CLI/CLI.hpp>
 #include <glm/vec2.hpp>
-#include <lightcuts/oracle/check.h>
-#include <lightcuts/render/needs.h>
-#include <lightcuts/render/output_folder.h>
-#include <lightcuts/render/scene.h>
-#include <lightcuts/tree_builder.h>
+#include <lightcuts/core/tree/tree_builder.h>
+#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/scene/scene.h>
+#include <lightcuts/render/view/scene_features.h>
 #include <nlohmann/json.hpp>
+#include <oracle/campaign/check.h>
 
 namespace lightcuts::cli {
 

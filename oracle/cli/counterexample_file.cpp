@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "counterexample_file.h"
+#include <oracle/cli/counterexample_file.h>
 
 #include <fmt/format.h>
 
-#include <lightcuts/oracle/counterexample_json.h>
-#include <lightcuts/render/output_folder.h>
+#include <lightcuts/render/io/output_folder.h>
+#include <oracle/cases/counterexample_json.h>
 
 namespace lightcuts::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include <lightcuts/oracle/hunt.h>
 #include <nlohmann/json.hpp>
+#include <oracle/campaign/hunt.h>
 
 namespace lightcuts::cli {
 

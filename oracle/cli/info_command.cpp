@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "commands.h"
-#include "common.h"
-#include <lightcuts/oracle/measure.h>
-#include <lightcuts/render/bounds.h>
-#include <lightcuts/tree_builder.h>
+#include <lightcuts/core/tree/tree_builder.h>
+#include <lightcuts/render/scene/bounds.h>
+#include <oracle/cli/commands.h>
+#include <oracle/cli/common.h>
+#include <oracle/report/measure.h>
 
 namespace lightcuts::cli {
 namespace {
@@ -30,10 +30,10 @@ Facts facts_of(const Scene& scene, const CommonOptions& options) {
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, build_config_for(options));
   const float threshold = threshold_for(options, view);
-  const Needs needs = find_needs(view, tree, {threshold, options.max_cut, 0});
-  facts.black_level = needs.black_level;
-  oracle::describe_needs(view, needs, threshold, facts.needed, facts.left_out);
-  facts.saving = oracle::measure_kernels(scene, tree, needs, {threshold, options.max_cut, 0});
+  const SceneFeatures features = find_scene_features(view, tree, {threshold, options.max_cut, 0});
+  facts.black_level = features.black_level;
+  oracle::describe_features(view, features, threshold, facts.needed, facts.left_out);
+  facts.saving = oracle::measure_kernels(scene, tree, features, {threshold, options.max_cut, 0});
   return facts;
 }
 

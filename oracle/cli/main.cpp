@@ -7,10 +7,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "commands.h"
-#include "common.h"
-#include <lightcuts/input_error.h>
+#include <lightcuts/core/input_error.h>
 #include <lightcuts/version.h>
+#include <oracle/cli/commands.h>
+#include <oracle/cli/common.h>
 
 namespace {
 

@@ -8,16 +8,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "commands.h"
-#include "common.h"
-#include "count.h"
-#include "progress.h"
-#include "subjects.h"
-#include <lightcuts/oracle/counterexample_json.h>
-#include <lightcuts/oracle/hunt.h>
-#include <lightcuts/oracle/library_subject.h>
-#include <lightcuts/oracle/mutants.h>
-#include <lightcuts/render/output_folder.h>
+#include <lightcuts/render/io/output_folder.h>
+#include <oracle/campaign/hunt.h>
+#include <oracle/cases/counterexample_json.h>
+#include <oracle/cli/commands.h>
+#include <oracle/cli/common.h>
+#include <oracle/cli/count.h>
+#include <oracle/cli/progress.h>
+#include <oracle/cli/subjects.h>
+#include <oracle/mutants/mutants.h>
+#include <oracle/subjects/library_subject.h>
 
 namespace lightcuts::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "progress.h"
+#include <oracle/cli/progress.h>
 
 #include <cstdio>
 #include <utility>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "property_table.h"
+#include <oracle/cli/property_table.h>
 
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "common.h"
-#include "subjects.h"
+#include <oracle/cli/common.h>
+#include <oracle/cli/subjects.h>
 
 namespace lightcuts::cli {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include <lightcuts/oracle/properties.h>
-#include <lightcuts/oracle/subject.h>
 #include <nlohmann/json.hpp>
+#include <oracle/properties/properties.h>
+#include <oracle/subjects/subject.h>
 
 namespace lightcuts::cli {
 

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "commands.h"
-#include "common.h"
-#include "progress.h"
-#include <lightcuts/oracle/pictures.h>
-#include <lightcuts/render/needs.h>
-#include <lightcuts/render/renderer.h>
-#include <lightcuts/tree_builder.h>
+#include <lightcuts/core/tree/tree_builder.h>
+#include <lightcuts/render/view/renderer.h>
+#include <lightcuts/render/view/scene_features.h>
+#include <oracle/cli/commands.h>
+#include <oracle/cli/common.h>
+#include <oracle/cli/progress.h>
+#include <oracle/report/plots/pictures.h>
 
 namespace lightcuts::cli {
 namespace {
@@ -36,11 +36,11 @@ int run(const RenderOptions& options) {
   config.cut = {threshold_for(options, view), options.max_cut, 0};
   config.threads = options.threads;
   config.seed = options.seed;
-  const Needs needs = find_needs(view, tree, config.cut);
-  config.cut.black_level = needs.black_level;
-  config.use_tree = needs.tree;
+  const SceneFeatures features = find_scene_features(view, tree, config.cut);
+  config.cut.black_level = features.black_level;
+  config.use_tree = features.tree;
   const bool uses_tree =
-      config.method == Method::lightcuts ? needs.tree : config.method != Method::reference;
+      config.method == Method::lightcuts ? features.tree : config.method != Method::reference;
   Rendering rendering;
   {
     Progress progress("render " + options.scene);
@@ -48,7 +48,7 @@ int run(const RenderOptions& options) {
     rendering = render(view, tree, config);
   }
   oracle::write_pictures(
-      {rendering, nullptr, needs.black_level, scene.name, options.seed, config.cut.threshold},
+      {rendering, nullptr, features.black_level, scene.name, options.seed, config.cut.threshold},
       folder);
   folder.commit();
 

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "commands.h"
-#include "common.h"
-#include "subjects.h"
-#include <lightcuts/oracle/as_test.h>
-#include <lightcuts/oracle/check_case.h>
-#include <lightcuts/oracle/counterexample_json.h>
-#include <lightcuts/oracle/explain.h>
+#include <oracle/campaign/check_case.h>
+#include <oracle/cases/as_test.h>
+#include <oracle/cases/counterexample_json.h>
+#include <oracle/cli/commands.h>
+#include <oracle/cli/common.h>
+#include <oracle/cli/subjects.h>
+#include <oracle/explain/explain.h>
 
 namespace lightcuts::cli {
 namespace {

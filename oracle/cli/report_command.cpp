@@ -3,15 +3,15 @@
 
 #include <fmt/format.h>
 
-#include "commands.h"
-#include "common.h"
-#include "progress.h"
-#include <lightcuts/oracle/measure.h>
-#include <lightcuts/oracle/pictures.h>
-#include <lightcuts/oracle/report_csv.h>
-#include <lightcuts/oracle/report_html.h>
-#include <lightcuts/oracle/report_json.h>
-#include <lightcuts/oracle/report_table.h>
+#include <oracle/cli/commands.h>
+#include <oracle/cli/common.h>
+#include <oracle/cli/progress.h>
+#include <oracle/report/measure.h>
+#include <oracle/report/pages/report_csv.h>
+#include <oracle/report/pages/report_html.h>
+#include <oracle/report/pages/report_json.h>
+#include <oracle/report/pages/report_table.h>
+#include <oracle/report/plots/pictures.h>
 
 namespace lightcuts::cli {
 namespace {

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "commands.h"
-#include "common.h"
-#include <lightcuts/render/builtin_scenes.h>
+#include <lightcuts/render/scene/builtin_scenes.h>
+#include <oracle/cli/commands.h>
+#include <oracle/cli/common.h>
 
 namespace lightcuts::cli {
 namespace {

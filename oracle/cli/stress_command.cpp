@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "commands.h"
-#include "common.h"
-#include "count.h"
-#include "counterexample_file.h"
-#include "progress.h"
-#include "property_table.h"
-#include "subjects.h"
-#include <lightcuts/oracle/hunt.h>
+#include <oracle/campaign/hunt.h>
+#include <oracle/cli/commands.h>
+#include <oracle/cli/common.h>
+#include <oracle/cli/count.h>
+#include <oracle/cli/counterexample_file.h>
+#include <oracle/cli/progress.h>
+#include <oracle/cli/property_table.h>
+#include <oracle/cli/subjects.h>
 
 namespace lightcuts::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "subjects.h"
+#include <oracle/cli/subjects.h>
 
 namespace lightcuts::cli {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <lightcuts/oracle/subjects.h>
+#include <oracle/subjects/subjects.h>
 
 namespace lightcuts::cli {
 

@@ -16,7 +16,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "subject_protocol.h"
+#include <oracle/subjects/subject_protocol.h>
 
 namespace lightcuts::oracle::protocol {
 namespace {

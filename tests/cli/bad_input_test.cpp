@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "oracle_process.h"
+#include <tests/cli/oracle_process.h>
 
 #include <algorithm>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "../render/gltf_file.h"
+#include <tests/render/support/gltf_file.h>
 
 namespace lightcuts {
 namespace {

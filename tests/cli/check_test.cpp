@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle_process.h"
+#include <tests/cli/oracle_process.h>
 
 #include <csignal>
 #include <fstream>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "terminal.h"
+#include <tests/cli/terminal.h>
 
 namespace lightcuts {
 namespace {

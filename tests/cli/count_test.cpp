@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../oracle/cli/count.h"
+#include <oracle/cli/count.h>
 
 #include <gtest/gtest.h>
 

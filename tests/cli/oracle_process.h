@@ -8,7 +8,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
-#include "../render/temporary_folder.h"
+#include <tests/render/support/temporary_folder.h>
 
 extern char** environ;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "oracle_process.h"
+#include <tests/cli/oracle_process.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "terminal.h"
+#include <tests/cli/terminal.h>
 
 namespace lightcuts {
 namespace {

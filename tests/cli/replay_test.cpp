@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle_process.h"
+#include <tests/cli/oracle_process.h>
 
 #include <fstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/oracle/plugin_subject.h>
+#include <oracle/subjects/plugin_subject.h>
 
 #include <chrono>
 #include <fstream>
@@ -9,14 +9,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <lightcuts/input_error.h>
-#include <lightcuts/oracle/check.h>
-#include <lightcuts/oracle/check_case.h>
-#include <lightcuts/oracle/hunt.h>
-#include <lightcuts/render/builtin_scenes.h>
-#include <lightcuts/render/open_scene.h>
+#include <lightcuts/core/input_error.h>
+#include <lightcuts/render/io/open_scene.h>
+#include <lightcuts/render/scene/builtin_scenes.h>
+#include <oracle/campaign/check.h>
+#include <oracle/campaign/check_case.h>
+#include <oracle/campaign/hunt.h>
 
-#include "plugins.h"
+#include <tests/plugin/plugins.h>
 
 namespace lightcuts::oracle {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include <lightcuts/oracle/plugin_subject.h>
+#include <oracle/subjects/plugin_subject.h>
 
 namespace lightcuts::oracle {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../cli/oracle_process.h"
+#include <tests/cli/oracle_process.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "plugins.h"
+#include <tests/plugin/plugins.h>
 
 namespace lightcuts {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "allocation_count.h"
+#include <tests/support/allocation_count.h>
 
 #include <atomic>
 #include <cstdlib>

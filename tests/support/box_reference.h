@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "precise.h"
-#include <lightcuts/box.h>
+#include <lightcuts/core/geometry/box.h>
+#include <tests/support/precise.h>
 
 /// The box bounds by another road: a finite list of candidate points instead of a path.
 namespace lightcuts::precise {

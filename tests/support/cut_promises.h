@@ -5,10 +5,10 @@
 #include <set>
 #include <string>
 
-#include "generators.h"
-#include "precise.h"
-#include <lightcuts/cut_selector.h>
-#include <lightcuts/tree_builder.h>
+#include <lightcuts/core/cut/cut_selector.h>
+#include <lightcuts/core/tree/tree_builder.h>
+#include <tests/support/generators.h>
+#include <tests/support/precise.h>
 
 namespace lightcuts {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "generators.h"
+#include <tests/support/generators.h>
 
 #include <functional>
 #include <ios>
 #include <ostream>
 #include <utility>
 
-#include <lightcuts/oracle/dice.h>
-#include <lightcuts/oracle/simpler.h>
+#include <oracle/cases/dice.h>
+#include <oracle/cases/simpler.h>
 
 namespace lightcuts::gen {
 namespace {

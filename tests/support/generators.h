@@ -7,8 +7,8 @@
 
 #include <rapidcheck.h>
 
-#include <lightcuts/box.h>
-#include <lightcuts/oracle/stress_scene.h>
+#include <lightcuts/core/geometry/box.h>
+#include <oracle/cases/stress_scene.h>
 
 /// Scenes of stress_scene.h for rapidcheck, which shrinks them by simpler.h.
 namespace lightcuts::gen {

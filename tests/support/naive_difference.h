@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <lightcuts/light_tree.h>
-#include <lightcuts/oracle/naive_tree.h>
+#include <lightcuts/core/tree/light_tree.h>
+#include <oracle/truth/naive_tree.h>
 
 namespace lightcuts {
 

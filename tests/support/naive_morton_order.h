@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "cluster.h"
+#include <lightcuts/core/tree/cluster.h>
 
 namespace lightcuts {
 

@@ -7,10 +7,10 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <lightcuts/light_set.h>
-#include <lightcuts/light_tree.h>
-#include <lightcuts/oracle/radiometry.h>
-#include <lightcuts/shading_point.h>
+#include <lightcuts/core/lights/light_set.h>
+#include <lightcuts/core/lobes/shading_point.h>
+#include <lightcuts/core/tree/light_tree.h>
+#include <oracle/truth/radiometry.h>
 
 /// Real numbers, or so nearly that no float and no double can tell the difference.
 namespace lightcuts::precise {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workbench.h"
+#include <viz/model/workbench.h>
 
 #include <chrono>
 #include <exception>

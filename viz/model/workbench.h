@@ -9,13 +9,13 @@
 #include <unordered_map>
 #include <vector>
 
-#include <lightcuts/oracle/measure.h>
+#include <oracle/report/measure.h>
 
-#include "inspection.h"
-#include "layer_values.h"
-#include "picture_queue.h"
-#include "view_state.h"
-#include "worker.h"
+#include <viz/model/cut/inspection.h>
+#include <viz/model/layers/layer_values.h>
+#include <viz/model/picture/picture_queue.h>
+#include <viz/model/state/view_state.h>
+#include <viz/model/worker.h>
 
 namespace lightcuts::viz {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "worker.h"
+#include <viz/model/worker.h>
 
 #include <utility>
 

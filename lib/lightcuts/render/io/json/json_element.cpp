@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/render/io/json/json_element.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <lightcuts/render/io/text.h>
+
+namespace lightcuts {
+
+void JsonElement::refuse_as(const std::string& end) const {
+  // The root's path is empty; say "the file" instead.
+  const bool nameless = path_.empty() && end.compare(0, 1, "/") != 0;
+  throw JsonError(one_line(fmt::format("{}: {}{}", file_, nameless ? "the whole" : path_, end)));
+}
+
+void JsonElement::refuse_type(const char* expected) const {
+  const std::string type = json_->type_name();
+  const bool vowel = type.find_first_of("aeiou") == 0;
+  const std::string article = json_->is_null() ? "" : vowel ? "an " : "a ";
+  refuse(fmt::format("is {}{}, expected {}", article, type, expected));
+}
+
+void JsonElement::expect_keys(std::initializer_list<const char*> known) const {
+  if (!json_->is_object()) refuse_type("an object");
+  for (const auto& [key, value] : json_->items())
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      refuse_as(fmt::format("/{} is unknown; known: {}", key, fmt::join(known, ", ")));
+}
+
+JsonElement JsonElement::operator[](const char* key) const {
+  if (!has(key)) refuse_as(fmt::format("/{} is missing", key));
+  return {file_, path_ + "/" + key, json_->at(key)};
+}
+
+JsonElement JsonElement::at(std::size_t i) const {
+  return {file_, fmt::format("{}/{}", path_, i), json_->at(i)};
+}
+
+std::string JsonElement::string() const {
+  if (!json_->is_string()) refuse_type("a string");
+  return json_->get<std::string>();
+}
+
+bool JsonElement::boolean() const {
+  if (!json_->is_boolean()) refuse_type("true or false");
+  return json_->get<bool>();
+}
+
+float JsonElement::number(float least) const {
+  if (!json_->is_number()) refuse_type("a number");
+  const auto value = json_->get<double>();
+  if (!(std::abs(value) <= std::numeric_limits<float>::max()))
+    refuse(fmt::format("is {}, out of range", value));
+  if (value < least)
+    refuse(least == 0 ? "is negative" : fmt::format("is {}, expected at least {}", value, least));
+  return static_cast<float>(value);
+}
+
+std::uint64_t JsonElement::whole_number(std::uint64_t least, std::uint64_t most) const {
+  if (!json_->is_number()) refuse_type("a whole number");
+  const bool whole = json_->is_number_unsigned();
+  const std::uint64_t value = whole ? json_->get<std::uint64_t>() : 0;
+  if (!whole || value < least || value > most)
+    refuse(fmt::format("is {}, expected a whole number from {} to {}", json_->dump(), least, most));
+  return value;
+}
+
+glm::vec3 JsonElement::vector(float least) const {
+  if (!json_->is_array()) refuse_type("a list of three numbers");
+  if (size() != 3) refuse(fmt::format("has {} elements, expected three", size()));
+  return {at(0).number(least), at(1).number(least), at(2).number(least)};
+}
+
+} // namespace lightcuts

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <string>
+
+#include <glm/vec3.hpp>
+#include <lightcuts/core/input_error.h>
+#include <nlohmann/json.hpp>
+
+namespace lightcuts {
+
+/// An error that says where in a JSON file it is.
+struct JsonError : InputError {
+  using InputError::InputError;
+};
+
+/// A value in a JSON file that knows where it is, so that errors can name it. Every reader throws
+/// JsonError as `file: /path/to/it what is wrong`.
+class JsonElement {
+public:
+  /// The file's root. `json` must outlive the element and all that come from it.
+  JsonElement(std::string file, const nlohmann::json& json)
+      : file_(std::move(file)), json_(&json) {}
+
+  [[nodiscard]] bool is_list() const { return json_->is_array(); }
+  [[nodiscard]] bool is_number() const { return json_->is_number(); }
+  [[nodiscard]] std::size_t size() const { return json_->size(); }
+  [[nodiscard]] bool has(const std::string& key) const { return json_->contains(key); }
+
+  /// Refuses what is not an object, and keys that are not among these.
+  void expect_keys(std::initializer_list<const char*> known) const;
+
+  /// Member of an object; refuses its absence.
+  [[nodiscard]] JsonElement operator[](const char* key) const;
+  /// Element of a list.
+  [[nodiscard]] JsonElement at(std::size_t i) const;
+
+  [[nodiscard]] std::string string() const;
+  [[nodiscard]] bool boolean() const;
+  /// A number within float's range that is at least `least`.
+  [[nodiscard]] float number(float least = std::numeric_limits<float>::lowest()) const;
+  [[nodiscard]] std::uint64_t whole_number(std::uint64_t least, std::uint64_t most) const;
+  /// A list of three numbers.
+  [[nodiscard]] glm::vec3 vector(float least = std::numeric_limits<float>::lowest()) const;
+
+  [[noreturn]] void refuse(const std::string& why) const { refuse_as(" " + why); }
+  /// The same; `end` follows the path directly.
+  [[noreturn]] void refuse_as(const std::string& end) const;
+
+private:
+  JsonElement(std::string file, std::string path, const nlohmann::json& json)
+      : file_(std::move(file)), path_(std::move(path)), json_(&json) {}
+
+  [[noreturn]] void refuse_type(const char* expected) const;
+
+  std::string file_, path_;
+  const nlohmann::json* json_;
+};
+
+} // namespace lightcuts

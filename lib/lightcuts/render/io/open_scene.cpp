@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/render/io/open_scene.h>
+
+#include <cmath>
+#include <variant>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <lightcuts/core/input_error.h>
+#include <lightcuts/render/io/json/scene_json.h>
+#include <lightcuts/render/io/models/model_import.h>
+#include <lightcuts/render/scene/builtin_scenes.h>
+
+#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/scene/camera_fault.h>
+
+namespace lightcuts {
+namespace {
+
+bool is_finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void validate(const TriangleMesh& mesh, std::size_t surfaces) {
+  if (mesh.triangles.empty()) throw InputError("no triangles");
+  if (mesh.normals.size() != mesh.positions.size())
+    throw InputError(
+        fmt::format("{} normals for {} positions", mesh.normals.size(), mesh.positions.size()));
+  if (mesh.surface.size() != mesh.triangles.size())
+    throw InputError(fmt::format("{} surface indices for {} triangles", mesh.surface.size(),
+                                 mesh.triangles.size()));
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    if (!is_finite(mesh.positions[i]))
+      throw InputError(fmt::format("position {} is not finite", i));
+    const double length = glm::length(glm::dvec3(mesh.normals[i]));
+    // Ten times the rounding of three floats; NaN fails too.
+    if (!(length == 0 || std::abs(length - 1) <= 1e-6))
+      throw InputError(fmt::format("normal {} has length {}, expected 0 or 1", i, length));
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (int corner = 0; corner < 3; ++corner)
+      if (mesh.triangles[i][corner] >= mesh.positions.size())
+        throw InputError(fmt::format("triangle {} uses position {} of {}", i,
+                                     mesh.triangles[i][corner], mesh.positions.size()));
+    if (mesh.surface[i] >= surfaces)
+      throw InputError(
+          fmt::format("triangle {} uses surface {} of {}", i, mesh.surface[i], surfaces));
+  }
+}
+
+void validate_uv(const TriangleMesh& mesh) {
+  if (!mesh.uv.empty() && mesh.uv.size() != mesh.positions.size())
+    throw InputError(fmt::format("{} texture coordinates for {} positions", mesh.uv.size(),
+                                 mesh.positions.size()));
+  for (std::size_t i = 0; i < mesh.uv.size(); ++i)
+    if (!std::isfinite(mesh.uv[i].x) || !std::isfinite(mesh.uv[i].y))
+      throw InputError(fmt::format("texture coordinate {} is not finite", i));
+}
+
+void validate_texture(const Surface& surface, const Scene& scene) {
+  if (!surface.texture) return;
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fmt::format("surface '{}': {}", surface.name, why));
+  };
+  if (surface.texture->index >= scene.textures.size())
+    refuse(fmt::format("texture {} of {}", surface.texture->index, scene.textures.size()));
+  if (scene.mesh.uv.empty()) refuse("a texture, but the mesh has no texture coordinates");
+  const auto* metal = std::get_if<CookTorrance>(&surface.material.lobe);
+  for (int c = 0; c < 3; ++c) {
+    const float part = surface.texture->tinted_f0[c], all = metal ? metal->f0[c] : 0;
+    if (!(part >= 0 && part <= all))
+      refuse(fmt::format("tinted_f0.{} is {}, expected 0 to {}", "rgb"[c], part, all));
+  }
+}
+
+void validate(const Surface& surface) {
+  try {
+    validate(surface.material);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("surface '{}': {}", surface.name, error.what()));
+  }
+  for (int c = 0; c < 3; ++c)
+    if (!std::isfinite(surface.emission[c]) || surface.emission[c] < 0)
+      throw InputError(fmt::format("surface '{}': emission.{} is {}, out of its domain",
+                                   surface.name, "rgb"[c], surface.emission[c]));
+}
+
+void check(const Scene& scene) {
+  validate(scene.mesh, scene.surfaces.size());
+  validate_uv(scene.mesh);
+  for (const Surface& surface : scene.surfaces) {
+    validate(surface);
+    validate_texture(surface, scene);
+  }
+  const std::string fault = camera_fault(scene.camera);
+  if (!fault.empty()) throw InputError("camera: " + fault);
+  for (int side = 0; side < 2; ++side)
+    if (scene.image_size[side] < 1 || scene.image_size[side] > max_image_side)
+      throw InputError(fmt::format("image {} is {}, expected 1 to {}", side ? "height" : "width",
+                                   scene.image_size[side], max_image_side));
+}
+
+Scene read(const std::string& spec) {
+  if (is_builtin(spec)) return make_builtin(spec);
+  const std::filesystem::path file(spec);
+  const std::string extension = lower_extension(file);
+  if (extension == ".json") return load_scene_json(file);
+  if (extension == ".obj" || extension == ".gltf" || extension == ".glb") return import_model(file);
+  if (spec.find_first_of("./") == std::string::npos)
+    return make_builtin(spec); // says what is known
+  throw InputError(fmt::format("{}: unknown kind of scene '{}'; known: a built-in name, .json, "
+                               ".obj, .gltf, .glb",
+                               spec, file.extension().string()));
+}
+
+} // namespace
+
+std::string camera_fault(const Camera& camera) {
+  if (!is_finite(camera.position)) return "position is not finite";
+  if (!is_finite(camera.target)) return "target is not finite";
+  if (!is_finite(camera.up)) return "up is not finite";
+  if (!(camera.vertical_fov > 0 && camera.vertical_fov < 180))
+    return fmt::format("fov is {}, expected more than 0 and less than 180 degrees",
+                       camera.vertical_fov);
+  if (camera.position == camera.target) return "position equals target";
+  if (camera.up == glm::vec3(0)) return "up is zero";
+  const glm::dvec3 view = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
+  // Below this sine the image's horizontal is lost in the rounding of floats.
+  if (glm::length(glm::cross(view, glm::normalize(glm::dvec3(camera.up)))) < 1e-6)
+    return "up is parallel to the view";
+  return {};
+}
+
+void validate(const Scene& scene) {
+  try {
+    check(scene);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", scene.name, error.what()));
+  }
+}
+
+Scene open_scene(const std::string& spec) {
+  Scene scene = read(spec);
+  validate(scene);
+  return scene;
+}
+
+} // namespace lightcuts

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include <lightcuts/render/lighting/light_generator.h>
+
+#include <lightcuts/render/lighting/random.h>
+#include <lightcuts/render/scene/builtin_makers.h>
+#include <lightcuts/render/scene/shapes.h>
+
+namespace lightcuts {
+namespace {
+
+constexpr float width = 8, height = 4, depth = 8; // metres
+constexpr float tallest_block = 1.9F;             // lights hang above
+
+Material shiny(const glm::vec3& diffuse, Gloss gloss, float reflectance) {
+  Material material{diffuse, {}};
+  if (gloss == Gloss::phong) material.lobe = Phong{glm::vec3(reflectance), 50};
+  if (gloss == Gloss::ward) material.lobe = Ward{glm::vec3(reflectance), 0.15F};
+  if (gloss == Gloss::ggx) material.lobe = CookTorrance{glm::vec3(0.2F * reflectance), 0.15F};
+  return material;
+}
+
+bool is_open(CloudLights kind) {
+  return kind == CloudLights::directional || kind == CloudLights::mixed;
+}
+
+/// The room's inner walls, of an open one those away from the camera: strictly convex, so nothing
+/// occludes.
+void add_room(ShapeBuilder& shapes, const CloudScene& parameters) {
+  const float w = width / 2, d = depth / 2;
+  const bool closed = !is_open(parameters.kind);
+  shapes.use("floor", shiny({0.55F, 0.52F, 0.48F}, parameters.gloss, 0.3F));
+  shapes.quad({-w, 0, d}, {w, 0, d}, {w, 0, -d}, {-w, 0, -d});
+  if (closed) {
+    shapes.use("ceiling", {{0.75F, 0.75F, 0.75F}, {}});
+    shapes.quad({-w, height, -d}, {w, height, -d}, {w, height, d}, {-w, height, d});
+  }
+  shapes.use("front and back", {{0.70F, 0.70F, 0.66F}, {}});
+  shapes.quad({-w, 0, -d}, {w, 0, -d}, {w, height, -d}, {-w, height, -d});
+  if (closed) shapes.quad({w, 0, d}, {-w, 0, d}, {-w, height, d}, {w, height, d});
+  shapes.use("left", {{0.65F, 0.30F, 0.25F}, {}});
+  shapes.quad({-w, 0, d}, {-w, 0, -d}, {-w, height, -d}, {-w, height, d});
+  if (!closed) return;
+  shapes.use("right", {{0.28F, 0.42F, 0.62F}, {}});
+  shapes.quad({w, 0, -d}, {w, 0, d}, {w, height, d}, {w, height, -d});
+}
+
+/// A rotation that is uniform without sine or cosine: a point of the disc, normalised.
+Placement random_turn(Random& random) {
+  for (;;) {
+    const float x = random.between(-1, 1), y = random.between(-1, 1);
+    const float squared = x * x + y * y;
+    if (squared > 0.01F && squared <= 1)
+      return {{}, x / std::sqrt(squared), y / std::sqrt(squared)};
+  }
+}
+
+void add_blocks(ShapeBuilder& shapes, const CloudScene& parameters) {
+  shapes.use("block", shiny({0.55F, 0.55F, 0.55F}, parameters.gloss, 0.35F));
+  for (std::uint32_t i = 0; i < parameters.blocks; ++i) {
+    Random random(~parameters.seed, i);
+    Placement placement = random_turn(random);
+    const glm::vec3 half(random.between(0.12F, 0.4F), 0, random.between(0.12F, 0.4F));
+    placement.origin = {random.between(-3.4F, 3.4F), 0, random.between(-3.4F, 3.4F)};
+    shapes.place(placement);
+    shapes.standing_box({-half.x, 0, -half.z},
+                        {half.x, random.between(0.2F, tallest_block), half.z});
+  }
+  shapes.place({});
+}
+
+/// Uniform over the directions; by rejection, as above.
+glm::vec3 random_direction(Random& random) {
+  for (;;) {
+    const glm::vec3 v(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+    const float squared = v.x * v.x + v.y * v.y + v.z * v.z;
+    if (squared > 0.01F && squared <= 1) return v / std::sqrt(squared);
+  }
+}
+
+/// Mostly downwards: uniform directions and the vertical, added.
+glm::vec3 random_axis(Random& random) {
+  const glm::dvec3 v = glm::dvec3(random_direction(random)) + glm::dvec3(0, -1.05, 0);
+  return glm::vec3(glm::normalize(v));
+}
+
+LightKind kind_of(const CloudScene& parameters, std::uint32_t light) {
+  return parameters.kind == CloudLights::mixed ? LightKind(light % light_kind_count)
+                                               : LightKind(parameters.kind);
+}
+
+void add_lights(const TriangleMesh& room, const CloudScene& parameters, LightSet& lights) {
+  LightCloud cloud = default_cloud(room, parameters.lights, parameters.seed);
+  cloud.random_colours = true;
+  LightSet omni;
+  generate(cloud, omni);
+  lights.reserve(omni.size());
+  if (parameters.clamp > 0) lights.set_min_distance(parameters.clamp);
+  for (std::uint32_t i = 0; i < omni.size(); ++i) {
+    const Light& light = omni[i];
+    Random random(parameters.seed + 1, i);
+    switch (kind_of(parameters, i)) {
+    case LightKind::omni:
+      lights.add(light);
+      break;
+    case LightKind::oriented:
+      lights.add_oriented(light.position, random_axis(random), light.intensity);
+      break;
+    case LightKind::spot: {
+      const float inner = random.between(0.1F, 0.6F);
+      lights.add_spot(light.position, random_axis(random), light.intensity, inner,
+                      inner + random.between(0.05F, 0.5F));
+      break;
+    }
+    case LightKind::directional: {
+      // From the open side, as bright as from a distance of two metres.
+      const glm::vec3 d = random_direction(random);
+      lights.add_directional(-glm::abs(d), 0.25F * light.intensity);
+      break;
+    }
+    }
+  }
+}
+
+} // namespace
+
+Scene make_cloud(const CloudScene& parameters) {
+  Scene scene;
+  ShapeBuilder shapes(scene);
+  add_room(shapes, parameters);
+  if (parameters.blocks > 0) add_blocks(shapes, parameters);
+  scene.camera = {{3.6F, 3.1F, 3.7F}, {-0.5F, 0.7F, -0.9F}, {0, 1, 0}, 60};
+  add_lights(scene.mesh, parameters, scene.lights);
+  return scene;
+}
+
+} // namespace lightcuts

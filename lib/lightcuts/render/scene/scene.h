@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <lightcuts/core/lights/light_set.h>
+#include <lightcuts/core/lobes/material.h>
+#include <lightcuts/render/scene/texture.h>
+
+namespace lightcuts {
+
+/// The texture that multiplies a surface's base colour: its diffuse reflectance and, of a metal's
+/// f0, what comes of the base colour too.
+struct BaseTexture {
+  std::uint32_t index = 0; ///< into Scene::textures
+  TextureWrap wrap;
+  glm::vec3 tinted_f0{0}; ///< that part of CookTorrance::f0, 0 to all of it; 0 for other lobes
+};
+
+/// What a triangle is made of.
+struct Surface {
+  std::string name;
+  Material material;
+  glm::vec3 emission{0}; ///< radiance seen by the camera, W/(m^2 sr); it lights nothing by itself:
+                         ///< see area_lights.h
+  std::optional<BaseTexture> texture = {}; ///< without it, the material is the same everywhere
+};
+
+/// All triangles of a scene in world space, metres.
+struct TriangleMesh {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;     ///< per position, unit; (0,0,0) means: use the face's normal
+  std::vector<glm::vec2> uv;          ///< per position, as Texture::at takes them; or empty
+  std::vector<glm::uvec3> triangles;  ///< indices into positions
+  std::vector<std::uint32_t> surface; ///< per triangle, index into Scene::surfaces
+};
+
+/// Pinhole camera; +y of the image is down.
+struct Camera {
+  glm::vec3 position{0, 0, 1};
+  glm::vec3 target{0, 0, 0};
+  glm::vec3 up{0, 1, 0};
+  float vertical_fov = 45; ///< degrees, in (0, 180)
+
+  bool operator==(const Camera&) const = default;
+};
+
+struct Scene {
+  std::string name;
+  TriangleMesh mesh;
+  std::vector<Surface> surfaces;
+  std::vector<Texture> textures;
+  LightSet lights;
+  Camera camera;
+  glm::uvec2 image_size{640, 480};
+  std::vector<std::string>
+      notes; ///< what the reader of the scene left out or made up, one line each
+};
+
+} // namespace lightcuts

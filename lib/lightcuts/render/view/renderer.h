@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <lightcuts/core/cut/cut_selector.h>
+#include <lightcuts/core/methods/chosen_rules.h>
+#include <lightcuts/core/tree/light_tree.h>
+#include <lightcuts/render/view/scene_view.h>
+
+namespace lightcuts {
+
+/// How pixels are lit, roughly from worse to better but for the reference.
+enum class Method {
+  reference,            ///< every light on its own
+  unscaled,             ///< paper without scaling: too dark, to compare with; see UnscaledRules
+  paper,                ///< lightcuts as published, to compare with; see PaperRules
+  stochastic_intensity, ///< lights drawn from a cut, see StochasticCutSelector, by intensity
+  stochastic,           ///< the same by hierarchical importance: unbiased, with noise
+  no_specular_bound, ///< lightcuts with glossy lobes bounded by their peaks, to compare with; see
+                     ///< NoSpecularBoundRules
+  lightcuts          ///< a cut of the light tree; see LightcutsRules
+};
+inline constexpr Method all_methods[] = {
+    Method::reference,  Method::unscaled,          Method::paper,    Method::stochastic_intensity,
+    Method::stochastic, Method::no_specular_bound, Method::lightcuts};
+
+/// Whether the method draws lights at random: RenderConfig::seed matters.
+[[nodiscard]] constexpr bool is_stochastic(Method method) {
+  return method == Method::stochastic || method == Method::stochastic_intensity;
+}
+
+/// The methods by the names that the command line and reports use.
+[[nodiscard]] const char* name_of(Method method);
+[[nodiscard]] std::optional<Method> method_named(std::string_view name);
+
+/// A rectangle of pixels: x in [lo.x, hi.x), y in [lo.y, hi.y).
+struct PixelRect {
+  glm::uvec2 lo{0}, hi{0};
+};
+
+struct RenderConfig {
+  Method method = Method::lightcuts;
+  CutConfig cut;          ///< for all methods but the reference
+  bool use_tree = true;   ///< false: lightcuts sums all lights, see SceneFeatures::tree
+  bool specialise = true; ///< false: cuts by the kernel for any scene, which casts
+                          ///< every shadow ray; to compare with
+  unsigned threads = 0;   ///< 0: one per core; default 0
+  std::uint64_t seed = 1; ///< of the methods that draw lights; default 1
+  /// In place of those of lightcuts, by the kernel for any scene; default: none
+  std::optional<ChosenRules> rules;
+  std::function<void(double)> progress; ///< called with the share done, by any thread; may be empty
+  std::function<bool()> cancelled; ///< asked before each pixel, by any thread, whether to leave the
+                                   ///< others; may be empty
+  /// Called when wanted pixels of a rectangle have been written, by the thread that did; nobody
+  /// writes to them any more. May be empty.
+  std::function<void(const PixelRect&)> done;
+};
+
+/// One picture, row by row from the top left. Where a pixel sees no surface all is 0.
+struct Rendering {
+  glm::uvec2 size{0};
+  std::vector<glm::vec3> radiance;        ///< reflected towards the camera; emission is not in it
+  std::vector<glm::vec3> certified_error; ///< |radiance - exact| is at most this
+  std::vector<glm::vec3> emission;        ///< of the surface itself
+  std::vector<float> cut_size;            ///< clusters, or lights (reference)
+  std::vector<float> shadow_rays;
+  std::vector<float> microseconds; ///< wall time of the pixel
+  std::vector<CutEnd> end;
+  std::uint64_t surface_pixels = 0; ///< pixels that see a surface
+  double seconds = 0;               ///< wall time of the whole, primary rays included
+};
+
+/// A picture of which nothing is rendered yet.
+[[nodiscard]] Rendering blank_rendering(glm::uvec2 size);
+
+/// Renders in tiles over the threads. All but the times are the same bits for any number of
+/// threads.
+[[nodiscard]] Rendering render(const SceneView& view, const LightTree& tree,
+                               const RenderConfig& config);
+
+/// The same for those pixels that are wanted, into a picture of the view's size; the others stay as
+/// they are. surface_pixels and seconds are added to what they were. wanted() is asked by any
+/// thread, once per pixel.
+void render_into(Rendering& picture, const SceneView& view, const LightTree& tree,
+                 const RenderConfig& config, const std::function<bool(glm::uvec2)>& wanted);
+
+} // namespace lightcuts

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/render/view/scene_view.h>
+
+#include <utility>
+
+#include <lightcuts/core/numerics/rounding.h>
+#include <lightcuts/render/scene/bounds.h>
+#include <lightcuts/render/scene/convexity.h>
+#include <lightcuts/render/view/surface_material.h>
+#include <lightcuts/render/view/surface_point.h>
+
+namespace lightcuts {
+
+SceneView::SceneView(const Scene& scene)
+    : SceneView(scene, std::make_shared<const Occluder>(scene.mesh), scene.camera,
+                scene.image_size) {}
+
+SceneView::SceneView(const Scene& scene, std::shared_ptr<const Occluder> occluder,
+                     const Camera& camera, glm::uvec2 size)
+    : scene_(&scene), occluder_(std::move(occluder)), size_(size), camera_(camera, size),
+      may_occlude_(!encloses_lights_convexly(scene.mesh, scene.lights, camera.position)),
+      out_of_scene_(round_down(2 * diagonal_length(scene_bounds(scene.mesh)))) {}
+
+std::optional<VisiblePoint> SceneView::at(glm::uvec2 pixel) const {
+  const glm::vec3 direction = camera_.direction(pixel);
+  const auto hit = occluder_->intersect(camera_.origin(), direction);
+  if (!hit) return std::nullopt;
+  const SurfacePoint s = surface_point(scene_->mesh, *hit, direction);
+  const Surface& surface = scene_->surfaces[scene_->mesh.surface[hit->triangle]];
+  return VisiblePoint{
+      ShadingPoint(s.position, s.shading_normal, -direction, material_at(*scene_, *hit)),
+      s.ray_origin, surface.emission};
+}
+
+} // namespace lightcuts

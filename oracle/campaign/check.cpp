@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/campaign/check.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <lightcuts/core/input_error.h>
+#include <oracle/campaign/check_case.h>
+#include <oracle/cases/random_pixels.h>
+#include <oracle/cases/scene_case.h>
+#include <oracle/properties/bound_sweep.h>
+#include <oracle/properties/case_properties.h>
+#include <oracle/truth/white_furnace.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Cuts of three kinds at each point: as configured, exact, and too small to converge.
+struct Cuts {
+  CutConfig config, exact, small;
+
+  Cuts(const CutConfig& cut, std::size_t lights) : config(cut), exact(cut), small(cut) {
+    exact.threshold = 0;
+    exact.black_level = 0;
+    exact.max_size = static_cast<std::uint32_t>(lights);
+    small.max_size = small_cut_size;
+  }
+};
+
+/// What one thread works with.
+struct Worker {
+  Tally tally;
+  Truth truth;
+  std::unique_ptr<SubjectTree> tree; ///< made where it is wanted: a subject may fail to
+  std::vector<char> visible;
+  std::optional<BoundSweep> sweep;
+  RayCount rays;
+  std::uint64_t swept_pairs = 0;
+  double sweep_seconds = 0;
+};
+
+// Of the lights, so many at each point.
+constexpr std::uint64_t reciprocal_lights = 4;
+
+void check_material(const PointCase& at, const LightSet& lights, std::uint64_t seed, Tally& tally) {
+  for (std::uint64_t i = 0; i < reciprocal_lights; ++i)
+    check_reciprocity(at, lights[hashed(seed, reciprocal_lights * at.place + i) % lights.size()],
+                      tally);
+}
+
+/// All different parts of the materials, as in a white furnace.
+std::vector<Lobe> parts_of(const Scene& scene) {
+  std::vector<Lobe> parts{NoLobe{}};
+  for (const Surface& surface : scene.surfaces) {
+    const auto whitened = [](const auto& lobe) { return white(lobe).lobe; };
+    const Lobe part = std::visit(whitened, surface.material.lobe);
+    if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
+  }
+  return parts;
+}
+
+// Exact cuts cost N log N, the others much less: one point in eight has one.
+constexpr std::uint64_t points_per_exact_cut = 8;
+// So does asking for the probabilities of all lights of all clusters, and more.
+constexpr std::uint64_t points_per_probabilities = 64 * points_per_full_check;
+constexpr std::uint64_t points_per_excerpt = points_per_full_check;
+
+void check_point(const SceneView& view, Parts parts, const Topology& topology, const Cuts& cuts,
+                 std::uint64_t place, const VisiblePoint& p, std::uint64_t seed, Worker& w) {
+  const LightSet& lights = view.scene().lights;
+  for (std::uint32_t i = 0; i < w.visible.size(); ++i) w.visible[i] = view.sees(p, i) ? 1 : 0;
+  w.truth.evaluate(topology, lights, p.point, w.visible);
+  const PointCase at{place, p.point, w.visible, w.truth};
+  const Judged judged{*w.tree, parts};
+  check_clusters(judged, at, w.tally);
+  check_material(at, lights, seed + 2, w.tally);
+  if (judged.has(Part::sampling) && place % points_per_probabilities == 0)
+    check_probabilities(judged, at, w.tally);
+  if (!judged.has(Part::cuts)) return;
+
+  const auto visible = [&w](std::uint32_t light) {
+    return light < w.visible.size() && w.visible[light] != 0;
+  };
+  const auto check_selected = [&](const CutConfig& config) {
+    check_cut(judged, config, w.tree->select(p.point, config, visible), at, w.tally);
+  };
+  check_selected(cuts.config);
+  check_selected(cuts.small);
+  if (place % points_per_exact_cut == 0) check_selected(cuts.exact);
+}
+
+/// Records what the work throws as SubjectFailure, and whether it did not.
+template <class Work>
+bool answers(std::uint64_t place, Tally& tally, Work&& work) {
+  std::string failure;
+  try {
+    work();
+  } catch (const SubjectFailure& e) {
+    failure = e.what();
+  }
+  tally.record(Property::subject_answers, failure.empty(), place, no_ratio,
+               [&] { return failure; });
+  return failure.empty();
+}
+
+/// Rays per shading point, so that brute force takes a tenth of the time or so; where triangles are
+/// few, a ray takes time all the same.
+double ray_rate(const Scene& scene, const Topology& topology) {
+  return std::min(2 * double(topology.size()) / double(scene.mesh.triangles.size()), 500.0);
+}
+
+constexpr double seconds_per_checkpoint = 30;
+
+/// One run of check(), from a block of points to the next.
+class Campaign {
+public:
+  Campaign(const SceneView& view, const Subject& subject, const CheckConfig& config,
+           const CheckResult& done)
+      : view_(view), lights_(view.scene().lights), subject_(subject), config_(config),
+        result_(done), cuts_(config.cut, lights_.size()),
+        arena_(config.threads == 0 ? tbb::task_arena::automatic : int(config.threads)) {
+    result_.complete = true;
+  }
+
+  [[nodiscard]] CheckResult run() {
+    Tally first;
+    if (!build(first)) {
+      result_.tally.merge(first);
+      result_.complete = false;
+      return finished();
+    }
+    const std::uint64_t nodes = topology_->size();
+    const std::uint64_t points = config_.pairs / nodes + (config_.pairs % nodes != 0);
+    if (result_.points == 0) {
+      result_.tally.merge(first);
+      check_materials();
+    }
+    while (result_.points < points && result_.complete) {
+      check_block(result_.points, std::min(points, result_.points + block_size()));
+      collect();
+      if (config_.progress) config_.progress(double(result_.points) / double(points));
+      if (config_.checkpoint && seconds_since(saved_) >= seconds_per_checkpoint) {
+        config_.checkpoint(result_);
+        saved_ = Clock::now();
+      }
+      const bool out_of_time = config_.seconds > 0 && seconds_since(start_) >= config_.seconds;
+      if (out_of_time || failed_ || (config_.cancelled && config_.cancelled()))
+        result_.complete = result_.points >= points && !failed_;
+    }
+    return finished();
+  }
+
+private:
+  bool build(Tally& tally) {
+    return answers(0, tally,
+                   [&] {
+                     if (has(subject_.parts(), Part::refinement_order))
+                       check_refinement_order(subject_, 0, tally);
+                     tree_ = subject_.build(lights_, config_.tree_seed);
+                     topology_ = check_tree(tree_->claim(), lights_, 0, tally);
+                   }) &&
+           topology_.has_value();
+  }
+
+  /// A tenth of a second or so, and the same whatever the machine.
+  [[nodiscard]] std::uint64_t block_size() const {
+    return std::clamp<std::uint64_t>(2'000'000 / topology_->size(), 8, 4096);
+  }
+
+  void check_materials() {
+    const std::vector<Lobe> parts = parts_of(view_.scene());
+    arena_.execute([&] {
+      tbb::parallel_for(std::size_t(0), parts.size(),
+                        [&](std::size_t i) { check_energy(parts[i], i, workers_.local().tally); });
+    });
+  }
+
+  void check_block(std::uint64_t begin, std::uint64_t end) {
+    arena_.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::uint64_t>(begin, end, 4),
+          [&](const tbb::blocked_range<std::uint64_t>& range) {
+            Worker& w = workers_.local();
+            for (std::uint64_t i = range.begin(); i < range.end() && !failed_; ++i) check(i, w);
+          },
+          tbb::simple_partitioner());
+    });
+    result_.points = end;
+    result_.pairs = end * topology_->size();
+  }
+
+  void check(std::uint64_t i, Worker& w) {
+    const VisiblePoint p = random_point(view_, config_.seed, i);
+    if (!answers(i, w.tally, [&] { check_point_of(w, i, p); })) failed_ = true;
+    if (!has(subject_.parts(), Part::occlusion)) return;
+    const double rate = ray_rate(view_.scene(), *topology_);
+    for (auto r = std::uint64_t(double(i) * rate); r < std::uint64_t(double(i + 1) * rate); ++r)
+      check_ray(subject_, view_, p, std::uint32_t(hashed(config_.seed + 1, r) % lights_.size()), i,
+                w.rays, w.tally);
+  }
+
+  void check_point_of(Worker& w, std::uint64_t i, const VisiblePoint& p) {
+    if (!w.tree) {
+      const std::lock_guard lock(tree_mutex_);
+      w.tree = tree_->for_another_thread();
+      w.visible.resize(lights_.size());
+      w.sweep.emplace(*topology_, lights_);
+    }
+    const bool bounds_only = i % points_per_full_check != 0 &&
+                             has(subject_.parts(), Part::bounds) &&
+                             w.sweep->supports(p.point.material());
+    if (bounds_only) {
+      const auto start = Clock::now();
+      w.sweep->check(*w.tree, p.point, i, w.tally);
+      w.sweep_seconds += seconds_since(start);
+      w.swept_pairs += topology_->size();
+      return;
+    }
+    check_point(view_, subject_.parts(), *topology_, cuts_, i, p, config_.seed, w);
+    if (i % points_per_excerpt == 0)
+      check_case(subject_, excerpt_of(view_, config_, i), i, w.tally);
+  }
+
+  /// What the threads have counted goes into the result.
+  void collect() {
+    for (Worker& w : workers_) {
+      result_.tally.merge(w.tally);
+      result_.rays += w.rays.rays;
+      result_.undecided_rays += w.rays.undecided;
+      result_.swept_pairs += w.swept_pairs;
+      result_.sweep_seconds += w.sweep_seconds;
+      w.tally = {};
+      w.rays = {};
+      w.swept_pairs = 0;
+      w.sweep_seconds = 0;
+    }
+    result_.seconds = seconds_before_ + seconds_since(start_);
+  }
+
+  CheckResult finished() {
+    collect();
+    return result_;
+  }
+
+  const SceneView& view_;
+  const LightSet& lights_;
+  const Subject& subject_;
+  const CheckConfig& config_;
+  CheckResult result_;
+  Cuts cuts_;
+  double seconds_before_ = result_.seconds;
+  Clock::time_point start_ = Clock::now(), saved_ = start_;
+  std::unique_ptr<SubjectTree> tree_;
+  std::optional<Topology> topology_;
+  std::mutex tree_mutex_;            ///< copies of one tree are made one at a time
+  std::atomic<bool> failed_ = false; ///< a subject that has failed once is asked no more
+  tbb::enumerable_thread_specific<Worker> workers_;
+  tbb::task_arena arena_;
+};
+
+} // namespace
+
+CheckResult check(const SceneView& view, const Subject& subject, const CheckConfig& config,
+                  const CheckResult& done) {
+  if (view.scene().lights.empty()) throw InputError(view.scene().name + ": no lights");
+  return Campaign(view, subject, config, done).run();
+}
+
+} // namespace lightcuts::oracle

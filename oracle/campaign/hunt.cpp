@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/campaign/hunt.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+#include <vector>
+
+#include <lightcuts/core/input_error.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// How near a property is to the cause; see broken().
+std::size_t distance_from_cause(Property property) {
+  return std::size_t(property) + (info(property).severity == Severity::waste ? property_count : 0);
+}
+
+} // namespace
+
+HuntResult hunt(const Subject& subject, const HuntConfig& config) {
+  const auto start = Clock::now();
+  const auto in_time = [&] { return config.seconds == 0 || seconds_since(start) < config.seconds; };
+  HuntResult result;
+  std::uint64_t end = config.cases;
+  for (; result.cases < end && in_time(); ++result.cases) {
+    const std::uint64_t index = result.cases;
+    const Case on = random_case(config.seed, index);
+    Tally tally;
+    check_case(subject, on, index, tally);
+    result.tally.merge(tally);
+    if (config.progress) config.progress(double(index + 1) / double(config.cases));
+    const std::vector<Property> list = broken(tally);
+    if (list.empty() || (!config.waste && info(list.front()).severity == Severity::waste)) continue;
+    const Property property = list.front();
+    if (!result.found) {
+      result.seconds = seconds_since(start);
+      end = std::min(end, index + 1 + config.further);
+    }
+    if (!result.found ||
+        distance_from_cause(property) < distance_from_cause(result.found->property))
+      result.found = {property, on, tally[property].first_violation, index};
+  }
+  if (!result.found) result.seconds = seconds_since(start);
+  return result;
+}
+
+std::optional<std::string> failure_of(const Subject& subject, Property property, const Case& on) {
+  Tally tally;
+  try {
+    check_case_for(property, subject, on, tally);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  if (tally[property].violations == 0) return std::nullopt;
+  return tally[property].first_violation;
+}
+
+Counterexample shrunk(const Subject& subject, const Counterexample& found, double seconds) {
+  const auto start = Clock::now();
+  Counterexample best = found;
+  for (std::optional<Counterexample> next(found); next;) {
+    next.reset();
+    visit_simpler(best.on, [&](Case& candidate) {
+      if (seconds_since(start) >= seconds) return true;
+      if (auto failure = failure_of(subject, best.property, candidate))
+        next = {best.property, std::move(candidate), std::move(*failure), best.index};
+      return next.has_value();
+    });
+    if (next) best = *next;
+  }
+  return best;
+}
+
+} // namespace lightcuts::oracle

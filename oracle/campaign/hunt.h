@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <oracle/campaign/check_case.h>
+
+namespace lightcuts::oracle {
+
+struct HuntConfig {
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 10'000; ///< at most; default 10 000
+  double seconds = 0;           ///< at most; 0: no limit. Default 0
+  bool waste = true;            ///< whether waste counts as found; default true
+  std::uint64_t further = 0;    ///< cases judged after the first that fails, in search of one that
+                                ///< fails a property nearer to the cause; default 0
+  std::function<void(double)> progress; ///< share done; may be empty
+};
+
+/// A case on which a property does not hold, and what check_case() said of it.
+struct Counterexample {
+  Property property{};
+  Case on;
+  std::string message;
+  std::uint64_t index = 0; ///< of the random case it comes from
+};
+
+struct HuntResult {
+  Tally tally;             ///< of all cases up to the one where something was found
+  std::uint64_t cases = 0; ///< judged
+  std::optional<Counterexample> found;
+  double seconds = 0; ///< until the first case that fails, or until the end
+};
+
+/// Judges the subject on one random case after another, until a property does not hold. Of several,
+/// violations come before waste, and then the order of Property: what is wrong with the tree before
+/// what is wrong with bounds, and that before cuts. The same for any number of processors, but for
+/// `seconds`.
+[[nodiscard]] HuntResult hunt(const Subject& subject, const HuntConfig& config);
+
+/// The same property does not hold on what is returned, which is as simple as can be found in so
+/// many seconds: no simpler() case of it fails, then.
+[[nodiscard]] Counterexample shrunk(const Subject& subject, const Counterexample& found,
+                                    double seconds = 10);
+
+/// What check_case() says of the property on the case; nothing where it holds, or where the case
+/// is not valid.
+[[nodiscard]] std::optional<std::string> failure_of(const Subject& subject, Property property,
+                                                    const Case& on);
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/cases/case.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <oracle/cases/random_pixels.h>
+#include <oracle/cases/simpler.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+using gen::Dice;
+
+constexpr int most_lights = 24, most_views = 3;
+
+CutConfig random_cut(Dice& dice, int lights) {
+  CutConfig cut;
+  cut.threshold = dice.pick({0.02F, 0.02F, 0.1F, 0.5F, 0.001F, 2.0F});
+  cut.max_size = dice.one_in(3) ? std::uint32_t(dice.between(1, lights)) : 1000;
+  if (dice.one_in(6)) cut.black_level = std::abs(dice.log_uniform(-6, 0));
+  return cut;
+}
+
+std::vector<std::uint32_t> random_hidden(Dice& dice, std::size_t lights) {
+  std::vector<std::uint32_t> hidden;
+  const int of = dice.pick({0, 0, 2, 4});
+  for (std::uint32_t i = 0; of > 0 && i < lights; ++i)
+    if (dice.one_in(of)) hidden.push_back(i);
+  return hidden;
+}
+
+Case lights_and_views(Dice& dice) {
+  const int count = dice.one_in(3) ? dice.between(1, 4) : dice.between(2, most_lights);
+  const gen::Scene scene = gen::make_scene(dice, count);
+  Case c;
+  c.lights = scene.lights;
+  c.min_distance = scene.min_distance;
+  c.cut = random_cut(dice, count);
+  c.seed = dice.bits() % 1000;
+  const int views = dice.between(1, most_views);
+  for (int i = 0; i < views; ++i)
+    c.views.push_back({i == 0 ? scene.view : gen::make_view(dice, scene.lights),
+                       random_hidden(dice, scene.lights.size())});
+  return c;
+}
+
+void add_quad(Case& c, const glm::vec3& corner, const glm::vec3& a, const glm::vec3& b) {
+  const std::uint32_t mesh = c.triangles.empty() ? 0 : c.triangles.back().mesh + 1;
+  c.triangles.push_back({{corner, corner + a, corner + a + b}, mesh});
+  c.triangles.push_back({{corner, corner + a + b, corner + b}, mesh});
+}
+
+/// A floor with things hanging over it, seen from above, in units of any size.
+Case picture(Dice& dice) {
+  Case c;
+  const float unit = dice.pick({1.0F, 1.0F, 0x1p-60F, 0x1p10F});
+  c.views.push_back({{}, {}});
+  c.views[0].view.material = {glm::vec3(0.5F), {}};
+  const int blockers = dice.between(0, 4);
+  for (int i = 0; i < blockers; ++i) {
+    const glm::vec3 corner =
+        unit * glm::vec3(dice.uniform(-2, 1), dice.uniform(0.5, 2), dice.uniform(-2, 1));
+    const bool upright = dice.one_in(3);
+    add_quad(c, corner, unit * glm::vec3(1, 0, 0),
+             unit * (upright ? glm::vec3(0, 0.5F, 0) : glm::vec3(0, 0, -1)));
+  }
+  const auto floor = std::ptrdiff_t(2 * dice.below(blockers + 1));
+  Case ground;
+  add_quad(ground, unit * glm::vec3(-4, 0, 4), unit * glm::vec3(8, 0, 0),
+           unit * glm::vec3(0, 0, -8));
+  c.triangles.insert(c.triangles.begin() + floor, ground.triangles.begin(), ground.triangles.end());
+  for (std::size_t i = 0; i < c.triangles.size(); ++i) c.triangles[i].mesh = std::uint32_t(i / 2);
+  const int lights = dice.between(1, 6);
+  for (int i = 0; i < lights; ++i) {
+    Light light;
+    light.position =
+        unit * glm::vec3(dice.uniform(-3, 3), dice.uniform(0.25, 3), dice.uniform(-3, 3));
+    light.intensity = glm::vec3(unit * unit * float(dice.uniform(0.5, 2)));
+    c.lights.push_back(light);
+  }
+  c.cut = random_cut(dice, lights);
+  c.camera = {unit * glm::vec3(0.25F, 6, 1), glm::vec3(0), {0, 1, 0}, 50};
+  c.image_size = {dice.between(2, 6), dice.between(2, 6)};
+  return c;
+}
+
+/// Of moderate scales, so that the mean of not too many draws is near the truth.
+Case lottery(Dice& dice) {
+  Case c;
+  c.draws = true;
+  const LightKind kind = dice.pick({LightKind::omni, LightKind::oriented, LightKind::directional});
+  const int count = dice.between(2, 8);
+  for (int i = 0; i < count; ++i) {
+    Light light;
+    light.kind = dice.one_in(8) ? LightKind::omni : kind;
+    light.position = glm::vec3(dice.uniform(-2, 2), dice.uniform(-2, 2), dice.uniform(0.5, 2));
+    if (light.kind == LightKind::directional)
+      light.position = glm::vec3(glm::normalize(glm::dvec3(light.position)));
+    if (light.kind == LightKind::oriented) light.axis = {0, 0, -1};
+    light.intensity = glm::vec3(dice.uniform(0.5, 2), dice.uniform(0.5, 2), dice.uniform(0.5, 2));
+    c.lights.push_back(light);
+  }
+  c.views.push_back({{}, {}});
+  if (dice.one_in(2)) c.views[0].view.material.lobe = Phong{glm::vec3(0.3F), 2};
+  if (dice.one_in(3)) c.views[0].hidden = {std::uint32_t(dice.below(count))};
+  c.cut = {0.02F, std::uint32_t(dice.between(1, 3)), 0};
+  c.seed = dice.bits() % 1000;
+  return c;
+}
+
+/// Indices of lights move up where lights before them are gone.
+std::vector<std::uint32_t> without(const std::vector<std::uint32_t>& indices, std::uint32_t first,
+                                   std::uint32_t count) {
+  std::vector<std::uint32_t> left;
+  for (const std::uint32_t i : indices)
+    if (i < first || i >= first + count) left.push_back(i < first ? i : i - count);
+  return left;
+}
+
+bool is_somewhere(const Light& light) { return light.kind != LightKind::directional; }
+
+/// Hands out copies of a case in which something is simpler. All functions return whether the
+/// visitor wants no more.
+class Simpler {
+public:
+  Simpler(const Case& of, const std::function<bool(Case&)>& visitor) : of_(of), visitor_(visitor) {}
+
+  [[nodiscard]] bool all() const {
+    return lights() || without_chunks(&Case::views, 1) ||
+           without_chunks(&Case::triangles, std::min<std::size_t>(of_.triangles.size(), 1)) ||
+           together() || views() || cut() || min_distance() || each_light() || picture();
+  }
+
+private:
+  /// A copy that `change` has changed.
+  template <class Change>
+  bool with(Change&& change) const {
+    Case c = of_;
+    change(c);
+    return visitor_(c);
+  }
+
+  /// Copies in which what `part` finds is one of these values.
+  template <class T, class Part>
+  bool each(const std::vector<T>& values, Part&& part) const {
+    return std::any_of(values.begin(), values.end(),
+                       [&](const T& value) { return with([&](Case& c) { part(c) = value; }); });
+  }
+
+  template <class F>
+  bool for_chunks(std::size_t count, std::size_t least, F&& f) const {
+    for (std::size_t chunk = std::max<std::size_t>(count / 2, 1); chunk > 0; chunk /= 2)
+      for (std::size_t first = 0; first + chunk <= count && count - chunk >= least; first += chunk)
+        if (f(first, chunk)) return true;
+    return false;
+  }
+
+  template <class T>
+  bool without_chunks(std::vector<T> Case::*part, std::size_t least) const {
+    return for_chunks((of_.*part).size(), least, [&](std::size_t first, std::size_t chunk) {
+      return with([&](Case& c) { erase(c.*part, first, chunk); });
+    });
+  }
+
+  template <class T>
+  static void erase(std::vector<T>& values, std::size_t first, std::size_t count) {
+    const auto begin = values.begin() + std::ptrdiff_t(first);
+    values.erase(begin, begin + std::ptrdiff_t(count));
+  }
+
+  [[nodiscard]] bool lights() const {
+    return for_chunks(of_.lights.size(), 1, [this](std::size_t first, std::size_t chunk) {
+      return with([&](Case& c) {
+        erase(c.lights, first, chunk);
+        for (CaseView& v : c.views)
+          v.hidden = without(v.hidden, std::uint32_t(first), std::uint32_t(chunk));
+      });
+    });
+  }
+
+  /// What has to change everywhere at once, or not at all.
+  [[nodiscard]] bool together() const {
+    return other([](Case& c) {
+             for (CaseView& v : c.views)
+               if (v.view.material.is_glossy() || !is_zeros_and_ones(v.view.material.diffuse))
+                 v.view.material = {glm::vec3(1), {}};
+           }) ||
+           other([](Case& c) {
+             for (Light& l : c.lights)
+               if (is_somewhere(l)) l = {.position = l.position, .intensity = l.intensity};
+           }) ||
+           other([](Case& c) {
+             for (Light& light : c.lights)
+               if (!is_zeros_and_ones(light.intensity)) light.intensity = glm::vec3(1);
+           }) ||
+           other([](Case& c) {
+             if (!c.views.empty() && c.triangles.empty()) shift(c, -c.views.front().view.position);
+           }) ||
+           other([exponent = largest_exponent()](Case& c) { scale(c, -exponent); }) || rounded();
+  }
+
+  /// What single floats shrink to; turning that into white again would never end.
+  static bool is_zeros_and_ones(const glm::vec3& v) {
+    const auto is = [](float value) { return value == 0 || value == 1; };
+    return is(v.x) && is(v.y) && is(v.z);
+  }
+
+  /// All positions with a few bits only.
+  [[nodiscard]] bool rounded() const {
+    for (const int bits : {2, 4, 12})
+      if (other([bits](Case& c) {
+            for_positions(c, [bits](glm::vec3& v) {
+              for (int i = 0; i < 3; ++i) v[i] = with_bits(v[i], bits);
+            });
+          }))
+        return true;
+    return false;
+  }
+
+  static float with_bits(float value, int bits) {
+    int exponent = 0;
+    const float mantissa = std::frexp(value, &exponent);
+    return std::ldexp(std::trunc(std::ldexp(mantissa, bits)), exponent - bits);
+  }
+
+  /// with(), where that is another case.
+  template <class Change>
+  bool other(Change&& change) const {
+    Case c = of_;
+    change(c);
+    return !(c == of_) && is_finite(c) && visitor_(c);
+  }
+
+  static bool is_finite(const Case& c) {
+    const auto finite = [](const glm::vec3& v) {
+      return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    return std::isfinite(c.min_distance) &&
+           std::all_of(c.lights.begin(), c.lights.end(), [&](const Light& light) {
+             return finite(light.position) && finite(light.intensity);
+           });
+  }
+
+  /// Of views, and of lights that are somewhere.
+  template <class F>
+  static void for_positions(Case& c, F&& f) {
+    for (CaseView& v : c.views) f(v.view.position);
+    for (Light& light : c.lights)
+      if (is_somewhere(light)) f(light.position);
+  }
+
+  static void shift(Case& c, const glm::vec3 by) {
+    for_positions(c, [&by](glm::vec3& v) { v += by; });
+  }
+
+  /// Lengths by 2^exponent, and intensities so that what arrives stays the same.
+  static void scale(Case& c, int exponent) {
+    const auto scaled = [exponent](glm::vec3& v, int times) {
+      for (int i = 0; i < 3; ++i) v[i] = std::ldexp(v[i], times * exponent);
+    };
+    for_positions(c, [&](glm::vec3& v) { scaled(v, 1); });
+    for (Light& light : c.lights)
+      if (is_somewhere(light)) scaled(light.intensity, 2);
+    c.min_distance = std::ldexp(c.min_distance, exponent);
+  }
+
+  /// Of the positions; 0 if all are 0, or about 1 already, or there is a picture, whose camera
+  /// stays.
+  [[nodiscard]] int largest_exponent() const {
+    float largest = 0;
+    Case copy = of_;
+    for_positions(copy, [&largest](const glm::vec3& v) {
+      for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(v[i]));
+    });
+    if (largest == 0 || !of_.triangles.empty()) return 0;
+    const int exponent = std::ilogb(largest);
+    // What shrinks a float in [1, 2) may halve it: scaling that back would never end.
+    return std::abs(exponent) <= 1 ? 0 : exponent;
+  }
+
+  [[nodiscard]] bool views() const {
+    for (std::size_t i = 0; i < of_.views.size(); ++i) {
+      const std::vector<std::uint32_t>& hidden = of_.views[i].hidden;
+      const auto seen = [&](std::size_t first, std::size_t chunk) {
+        return with([&](Case& c) { erase(c.views[i].hidden, first, chunk); });
+      };
+      if (!hidden.empty() && (seen(0, hidden.size()) || for_chunks(hidden.size(), 1, seen)))
+        return true;
+      if (each(gen::simpler(of_.views[i].view),
+               [i](Case& c) -> gen::View& { return c.views[i].view; }))
+        return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool cut() const {
+    const CutConfig usual{0.02F, 1000, 0};
+    const auto reset = [&](auto CutConfig::*field) {
+      return of_.cut.*field != usual.*field && with([&](Case& c) { c.cut.*field = usual.*field; });
+    };
+    return reset(&CutConfig::threshold) || reset(&CutConfig::max_size) ||
+           reset(&CutConfig::black_level) ||
+           (of_.draws && with([](Case& c) { c.draws = false; })) ||
+           (of_.seed != 1 && with([](Case& c) { c.seed = 1; }));
+  }
+
+  [[nodiscard]] bool min_distance() const {
+    std::vector<float> values = gen::simpler(of_.min_distance);
+    std::erase_if(values, [](float value) { return value < 0; });
+    return each(values, [](Case& c) -> float& { return c.min_distance; });
+  }
+
+  [[nodiscard]] bool each_light() const {
+    for (std::size_t i = 0; i < of_.lights.size(); ++i)
+      if (each(gen::simpler(of_.lights[i]), [i](Case& c) -> Light& { return c.lights[i]; }))
+        return true;
+    return false;
+  }
+
+  [[nodiscard]] bool picture() const {
+    if (of_.triangles.empty()) return false;
+    for (const glm::uvec2 size :
+         {glm::uvec2(1), glm::uvec2(1, of_.image_size.y), glm::uvec2(of_.image_size.x, 1)})
+      if (size != of_.image_size && with([&](Case& c) { c.image_size = size; })) return true;
+    for (std::size_t i = 0; i < of_.triangles.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (each(gen::simpler(of_.triangles[i].corners[k]),
+                 [i, k](Case& c) -> glm::vec3& { return c.triangles[i].corners[k]; }))
+          return true;
+    return false;
+  }
+
+  const Case& of_;
+  const std::function<bool(Case&)>& visitor_;
+};
+
+} // namespace
+
+LightSet Case::light_set() const {
+  LightSet set;
+  for (const Light& light : lights) set.add(light);
+  if (min_distance > 0) set.set_min_distance(min_distance);
+  return set;
+}
+
+lightcuts::Scene Case::scene() const {
+  lightcuts::Scene scene;
+  scene.name = "case";
+  scene.lights = light_set();
+  scene.camera = camera;
+  scene.image_size = image_size;
+  for (const CaseTriangle& t : triangles) {
+    const auto first = std::uint32_t(scene.mesh.positions.size());
+    scene.mesh.positions.insert(scene.mesh.positions.end(), t.corners.begin(), t.corners.end());
+    scene.mesh.triangles.emplace_back(first, first + 1, first + 2);
+    scene.mesh.surface.push_back(t.mesh);
+    while (scene.surfaces.size() <= t.mesh)
+      scene.surfaces.push_back({"", views.empty() ? Material{} : views.front().view.material});
+  }
+  scene.mesh.normals.resize(scene.mesh.positions.size(), glm::vec3(0));
+  return scene;
+}
+
+Case random_case(std::uint64_t seed, std::uint64_t index) {
+  Dice dice(hashed(seed, index));
+  constexpr std::uint64_t every = 500; // a second each
+  if (index % every == every - 1 && index / every < most_cases_with_draws) return lottery(dice);
+  return dice.one_in(8) ? picture(dice) : lights_and_views(dice);
+}
+
+bool visit_simpler(const Case& of, const std::function<bool(Case&)>& visitor) {
+  return Simpler(of, visitor).all();
+}
+
+std::vector<Case> simpler(const Case& of) {
+  std::vector<Case> list;
+  visit_simpler(of, [&list](Case& c) {
+    list.push_back(std::move(c));
+    return false;
+  });
+  return list;
+}
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <lightcuts/core/cut/cut_selector.h>
+#include <lightcuts/render/scene/scene.h>
+#include <oracle/cases/stress_scene.h>
+
+namespace lightcuts::oracle {
+
+/// A shading point, and which lights are not seen from it.
+struct CaseView {
+  gen::View view;
+  std::vector<std::uint32_t> hidden; ///< indices of lights, ascending
+
+  bool operator==(const CaseView&) const = default;
+};
+
+/// A triangle of a case; its surface is the first view's material.
+struct CaseTriangle {
+  std::array<glm::vec3, 3> corners;
+  std::uint32_t mesh = 0; ///< triangles of one mesh are neighbours
+
+  bool operator==(const CaseTriangle&) const = default;
+};
+
+/// All that a subject is judged on at once, as small as a counterexample wants to be: lights and
+/// shading points, or, where there are triangles, lights and a picture.
+struct Case {
+  std::vector<Light> lights;
+  float min_distance = 0; ///< 0: no clamp
+  std::vector<CaseView> views;
+  CutConfig cut;
+  std::uint64_t seed = 1; ///< of the tree
+  bool draws = false;     ///< whether to judge by many random draws, too
+  std::vector<CaseTriangle> triangles;
+  Camera camera;            ///< of the picture
+  glm::uvec2 image_size{8}; ///< pixels
+
+  [[nodiscard]] LightSet light_set() const;
+  /// The triangles with the lights and the first view's material.
+  [[nodiscard]] lightcuts::Scene scene() const;
+  bool operator==(const Case&) const = default;
+};
+
+/// Among how many cases with draws, in one run, the rate of false alarms is shared: no run has
+/// more.
+inline constexpr std::uint64_t most_cases_with_draws = 10'000;
+
+/// The index-th random case of a seed: as gen::make_scene() has it, with one to three views; one in
+/// eight with a few triangles; one in 500 to be judged by many draws. Same arguments, same bits.
+[[nodiscard]] Case random_case(std::uint64_t seed, std::uint64_t index);
+
+/// Hands cases that are simpler to the visitor, the simplest first, until it returns true; none
+/// for the simplest of all. Each is made when its turn has come. Returns whether the visitor did.
+bool visit_simpler(const Case& of, const std::function<bool(Case&)>& visitor);
+
+/// All of them: for cases of few lights.
+[[nodiscard]] std::vector<Case> simpler(const Case& of);
+
+} // namespace lightcuts::oracle

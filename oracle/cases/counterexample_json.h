@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <oracle/campaign/hunt.h>
+
+namespace lightcuts::oracle {
+
+/// A counterexample and whose it is.
+struct SavedCounterexample {
+  /// "lightcuts", "paper", "mutant:NAME", or the path of a plug-in: see subject_for() of the
+  /// command line.
+  std::string subject;
+  Counterexample counterexample;
+};
+
+/// JSON of schema lightcuts-oracle/counterexample/1. Each float is a hexadecimal string, "0x1.8p+1"
+/// for 3, exact; beside it, as KEY_decimal, are decimals for readers. What a light's kind does not
+/// use is left out, and so are triangles, camera and image where there are none.
+[[nodiscard]] std::string counterexample_json(const SavedCounterexample& saved);
+
+/// Reads that; decimals beside are ignored, and a number will do for a hexadecimal string. Throws
+/// InputError that names `name` and the path in it, as `a.json: /case/lights/3/position/0 is
+/// "abc", expected a finite float such as "0x1.8p+1"`, where anything is missing, unknown or out of
+/// its domain: a case so read is valid.
+[[nodiscard]] SavedCounterexample read_counterexample(const std::string& name,
+                                                      const std::string& text);
+
+/// The same of a file.
+[[nodiscard]] SavedCounterexample load_counterexample(const std::filesystem::path& file);
+
+} // namespace lightcuts::oracle

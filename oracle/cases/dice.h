@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <lightcuts/core/numerics/splitmix.h>
+
+namespace lightcuts::gen {
+
+/// Random numbers of the kinds that this field finds hard. The same seed gives the same bits.
+class Dice {
+public:
+  explicit Dice(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t bits() { return splitmix64(state_++); }
+  int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
+  bool one_in(int n) { return below(n) == 0; }
+  int between(int first, int last) { return first + below(last - first + 1); }
+  double uniform(double lo, double hi) { return lo + (hi - lo) * double(bits() >> 11) * 0x1p-53; }
+  float sign() { return one_in(2) ? 1.0F : -1.0F; }
+  /// Of either sign, its magnitude spread evenly over the scales from 10^lo to 10^hi.
+  float log_uniform(double lo, double hi) {
+    const float s = sign(); // apart: the order of operands is the compiler's choice
+    return s * finite(std::pow(10.0, uniform(lo, hi)));
+  }
+  template <class T>
+  T pick(std::initializer_list<T> values) {
+    return values.begin()[below(static_cast<int>(values.size()))];
+  }
+  static float finite(double v) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(v, -largest, largest));
+  }
+
+  float subnormal() { return float(between(-100, 100)) * 0x1p-149F; }
+  float finite_float() {
+    switch (below(8)) {
+    case 0:
+      return pick({0.0F, -0.0F});
+    case 1:
+      return float(between(-4, 4));
+    case 2:
+      return float(between(-8, 8)) / 4;
+    case 3:
+      return float(uniform(-1, 1));
+    case 4:
+      return log_uniform(-30, 30);
+    case 5:
+      return log_uniform(-45, 38.6);
+    case 6:
+      return subnormal();
+    default:
+      return pick({0x1.fffffep127F, -0x1.fffffep127F, 0x1p-126F, 1e8F, -1e8F, 0x1p-149F});
+    }
+  }
+  glm::vec3 finite_vector() { return {finite_float(), finite_float(), finite_float()}; }
+  glm::vec3 lattice(int radius = 2) {
+    return {between(-radius, radius), between(-radius, radius), between(-radius, radius)};
+  }
+  glm::vec3 in_cube() { return {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)}; }
+
+  glm::vec3 axis() {
+    glm::vec3 v(0);
+    v[below(3)] = sign();
+    return v;
+  }
+  glm::vec3 unit_vector() {
+    switch (below(5)) {
+    case 0:
+      return axis();
+    case 1:
+      return normalised(glm::dvec3(lattice()));
+    case 2: { // grazing: an axis but for very small components
+      glm::vec3 v = axis();
+      for (int i = 0; i < 3; ++i)
+        if (v[i] == 0) v[i] = one_in(2) ? subnormal() : log_uniform(-45, -7);
+      return v;
+    }
+    default:
+      return normalised(glm::dvec3(in_cube()));
+    }
+  }
+
+private:
+  static glm::vec3 normalised(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length == 0 ? glm::vec3(0, 0, 1) : glm::vec3(v / length);
+  }
+  std::uint64_t state_;
+};
+
+} // namespace lightcuts::gen

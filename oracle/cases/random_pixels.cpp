@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/cases/random_pixels.h>
+
+#include <lightcuts/core/input_error.h>
+
+namespace lightcuts::oracle {
+
+VisiblePoint random_point(const SceneView& view, std::uint64_t seed, std::uint64_t index) {
+  const glm::uvec2 size = view.size();
+  const std::uint64_t stream = hashed(seed, index);
+  for (std::uint64_t attempt = 0; attempt < 100000; ++attempt) {
+    const std::uint64_t bits = hashed(stream, attempt);
+    const glm::uvec2 pixel((bits >> 32) % size.x, (bits & 0xffffffffU) % size.y);
+    if (const auto p = view.at(pixel)) return *p;
+  }
+  throw InputError(view.scene().name + ": the camera sees no surface");
+}
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <lightcuts/render/view/scene_view.h>
+#include <oracle/campaign/check.h>
+#include <oracle/campaign/hunt.h>
+
+namespace lightcuts::oracle {
+
+/// The shading point that check() visits at the place, with all lights of the scene; those that are
+/// not seen from there are hidden.
+[[nodiscard]] Case case_of(const SceneView& view, const CheckConfig& config, std::uint64_t place);
+
+/// The same with twelve lights of the scene at most, drawn at random: what check() looks at where
+/// all lights would take too long.
+[[nodiscard]] Case excerpt_of(const SceneView& view, const CheckConfig& config,
+                              std::uint64_t place);
+
+/// The first property that check() found violated, violations before waste, of those that
+/// check_case() finds violated in lights and a point alone: not so where it takes the scene's
+/// triangles (occlusion-equals-brute-force), and of materials. Not shrunk.
+[[nodiscard]] std::optional<Counterexample> counterexample_of(const Subject& subject,
+                                                              const SceneView& view,
+                                                              const CheckConfig& config,
+                                                              const CheckResult& result);
+
+} // namespace lightcuts::oracle

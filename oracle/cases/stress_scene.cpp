@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/cases/stress_scene.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <variant>
+
+#include <oracle/cases/dice.h>
+
+namespace lightcuts::gen {
+namespace {
+
+/// Where the lights of one scene are, relative to the shading point.
+enum class Place {
+  lattice,
+  cube,
+  clump,
+  line,
+  plane,
+  coincident,
+  tangent,
+  at_point,
+  next_to_point,
+  shares_coordinate,
+  far,
+  stiff,
+  count
+};
+
+glm::vec3 finite(const glm::dvec3& v) {
+  return {Dice::finite(v.x), Dice::finite(v.y), Dice::finite(v.z)};
+}
+
+glm::vec3 in_tangent_plane(Dice& dice, const View& view) {
+  const glm::dvec3 n(view.normal);
+  const glm::dvec3 along = glm::cross(n, glm::dvec3(dice.axis()));
+  const double size = dice.log_uniform(-3, 3);
+  return finite(glm::dvec3(view.position) + size * along +
+                double(dice.between(-2, 2)) * size * glm::cross(n, along));
+}
+
+glm::vec3 next_to(Dice& dice, const glm::vec3& p) {
+  glm::vec3 v = p;
+  for (int i = 0; i < 3; ++i)
+    v[i] = Dice::finite(std::nextafter(v[i], dice.one_in(2) ? 1e38F : -1e38F));
+  return v;
+}
+
+glm::vec3 position(Dice& dice, Place place, const View& view, const glm::vec3& anchor) {
+  const glm::dvec3 a(anchor);
+  switch (place) {
+  case Place::lattice:
+    return dice.lattice();
+  case Place::cube:
+    return dice.in_cube();
+  case Place::clump:
+    return finite(a + 1e-3 * glm::dvec3(dice.in_cube()));
+  case Place::line:
+    return finite(a + dice.uniform(-1, 1) * glm::dvec3(1, 0.5, 0));
+  case Place::plane:
+    return {dice.uniform(-1, 1), dice.uniform(-1, 1), anchor.z};
+  case Place::coincident:
+    return anchor;
+  case Place::tangent:
+    return in_tangent_plane(dice, view);
+  case Place::at_point:
+    return view.position;
+  case Place::next_to_point:
+    return next_to(dice, view.position);
+  case Place::far:
+    return glm::vec3(1e8F) + 8.0F * dice.lattice();
+  case Place::shares_coordinate: {
+    glm::vec3 v = dice.in_cube();
+    for (int i = dice.between(1, 2); i > 0; --i) {
+      const int axis = dice.below(3);
+      v[axis] = view.position[axis];
+    }
+    return v;
+  }
+  default:
+    return dice.finite_vector();
+  }
+}
+
+glm::vec3 not_negative(const glm::vec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+
+glm::vec3 intensity(Dice& dice, int kind) {
+  glm::vec3 v(0);
+  switch (kind) {
+  case 0:
+    return glm::vec3(1);
+  case 1:
+    return not_negative(dice.in_cube());
+  case 2:
+    return not_negative(dice.finite_vector());
+  case 3:
+    v[dice.below(3)] = 1;
+    return v;
+  case 4:
+    return glm::vec3(dice.pick({0.0F, 1.0F, 1e30F, 0x1p-149F, 0x1.fffffep127F}));
+  default:
+    return glm::vec3(std::abs(dice.log_uniform(-12, 12)));
+  }
+}
+
+glm::vec3 reflectance(Dice& dice) {
+  if (dice.one_in(10)) return not_negative(dice.finite_vector());
+  return dice.one_in(3) ? glm::vec3(0.5F) : not_negative(dice.in_cube());
+}
+
+float exponent(Dice& dice) {
+  return dice.one_in(2) ? dice.pick({0.0F, 1.0F, 10.0F, 1000.0F, 0x1p20F, 0.5F, 2.75F})
+                        : std::min(std::abs(dice.log_uniform(-3, 6.03)), 0x1p20F);
+}
+
+float alpha(Dice& dice) {
+  return dice.one_in(2) ? dice.pick({0x1p-14F, 1.0F, 0.1F, 0.5F, 1e-3F})
+                        : std::clamp(std::abs(dice.log_uniform(-4.2, 0)), 0x1p-14F, 1.0F);
+}
+
+Lobe lobe(Dice& dice, std::size_t index) {
+  switch (index) {
+  case 1:
+    return Phong{reflectance(dice), exponent(dice)};
+  case 2:
+    return Ward{reflectance(dice), alpha(dice)};
+  case 3: {
+    const glm::vec3 f0 = dice.one_in(3) ? glm::vec3(0.04F) : not_negative(dice.in_cube());
+    return CookTorrance{dice.one_in(6) ? glm::vec3(0, 1, 0x1p-149F) : f0, alpha(dice)};
+  }
+  default:
+    return NoLobe{};
+  }
+}
+
+Material material(Dice& dice, const Choice& choice) {
+  const std::size_t index =
+      choice.lobe ? *choice.lobe : std::size_t(dice.below(int(std::variant_size_v<Lobe>)));
+  const int which = dice.below(8);
+  if (which == 0 && !choice.lobe) return {};
+  return {which == 1 ? glm::vec3(0) : reflectance(dice), lobe(dice, index)};
+}
+
+/// A light's position, or one that takes each coordinate from some light: on faces of the boxes.
+glm::vec3 amid_lights(Dice& dice, const std::vector<Light>& lights) {
+  const auto any = [&] { return lights[dice.below(static_cast<int>(lights.size()))].position; };
+  glm::vec3 p = any();
+  if (dice.one_in(2))
+    for (int i = 0; i < 3; ++i) p[i] = any()[i];
+  return p;
+}
+
+View random_view(Dice& dice, const Choice& choice) {
+  View view;
+  switch (dice.below(5)) {
+  case 0:
+    break;
+  case 1:
+    view.position = dice.lattice();
+    break;
+  case 2:
+    view.position = dice.finite_vector();
+    break;
+  case 3:
+    view.position = glm::vec3(1e8F) + dice.lattice();
+    break;
+  default:
+    view.position = dice.in_cube();
+  }
+  view.normal = dice.unit_vector();
+  view.to_viewer = dice.one_in(4) ? view.normal : dice.unit_vector();
+  view.material = material(dice, choice);
+  return view;
+}
+
+/// Towards the point, past it at a right angle, or anywhere.
+glm::vec3 axis(Dice& dice, const glm::vec3& from, const glm::vec3& to) {
+  const glm::dvec3 d = glm::dvec3(to) - glm::dvec3(from);
+  const double length = glm::length(d);
+  if (!(length > 1e-30) || dice.one_in(2)) return dice.unit_vector();
+  const glm::dvec3 unit = d / length;
+  if (dice.one_in(2)) return glm::vec3(unit);
+  const glm::dvec3 side = glm::cross(unit, glm::dvec3(dice.unit_vector()));
+  return glm::length(side) > 1e-6 ? glm::vec3(glm::normalize(side)) : glm::vec3(unit);
+}
+
+/// position and intensity are set.
+void finish(Dice& dice, Light& light, const glm::vec3& x) {
+  switch (light.kind) {
+  case LightKind::omni:
+    break;
+  case LightKind::directional:
+    light.position = dice.unit_vector();
+    break;
+  case LightKind::oriented:
+    light.axis = axis(dice, light.position, x);
+    break;
+  case LightKind::spot:
+    light.axis = axis(dice, light.position, x);
+    light.cos_inner = float(dice.uniform(-0.9, 1));
+    light.cos_outer = float(dice.uniform(-1, light.cos_inner - 0x1p-10));
+    if (dice.one_in(4)) light.cos_outer = std::min(0.0F, light.cos_inner - 0x1p-10F);
+    break;
+  }
+}
+
+struct Number {
+  float value;
+};
+
+std::ostream& operator<<(std::ostream& out, const Number& n) {
+  out << n.value;
+  if (n.value != std::trunc(n.value) || std::abs(n.value) > 1e6F)
+    out << " (" << std::hexfloat << n.value << std::defaultfloat << ")";
+  return out;
+}
+
+std::ostream& show(std::ostream& out, const char* name, const glm::vec3& v) {
+  return out << name << " {" << Number{v.x} << ", " << Number{v.y} << ", " << Number{v.z} << "} ";
+}
+
+} // namespace
+
+Scene make_scene(Dice& dice, int count, const Choice& choice) {
+  Scene scene;
+  scene.view = random_view(dice, choice);
+  const auto any_place = [&] { return static_cast<Place>(dice.below(int(Place::count))); };
+  const auto any_kind = [&] { return LightKind(dice.below(light_kind_count)); };
+  const Place usual = any_place();
+  const LightKind usual_kind = choice.kind ? *choice.kind : any_kind();
+  const glm::vec3 anchor = dice.one_in(4) ? dice.finite_vector() : dice.in_cube();
+  const int usual_intensity = dice.below(6);
+  for (int i = 0; i < count; ++i) {
+    const Place place = dice.one_in(8) ? any_place() : usual;
+    const int brightness = dice.one_in(8) ? dice.below(6) : usual_intensity;
+    Light light;
+    light.kind = !choice.kind && dice.one_in(8) ? any_kind() : usual_kind;
+    light.position = position(dice, place, scene.view, anchor);
+    light.intensity = intensity(dice, brightness);
+    finish(dice, light, scene.view.position);
+    scene.lights.push_back(light);
+  }
+  if (dice.one_in(4)) scene.view.position = amid_lights(dice, scene.lights);
+  if (choice.clamped ? *choice.clamped : dice.one_in(4))
+    scene.min_distance = dice.one_in(2) ? dice.pick({1.0F, 0.5F, 2.0F})
+                                        : std::max(std::abs(dice.log_uniform(-6, 6)), 0x1p-149F);
+  return scene;
+}
+
+View make_view(Dice& dice, const std::vector<Light>& lights, const Choice& choice) {
+  View view = random_view(dice, choice);
+  if (dice.one_in(2)) view.position = amid_lights(dice, lights);
+  return view;
+}
+
+LightSet Scene::light_set() const {
+  LightSet set;
+  for (const Light& light : lights) set.add(light);
+  if (min_distance > 0) set.set_min_distance(min_distance);
+  return set;
+}
+
+std::ostream& operator<<(std::ostream& out, const View& view) {
+  show(out, "point: position", view.position);
+  show(out, "normal", view.normal);
+  show(out, "to_viewer", view.to_viewer);
+  show(out, "\n  diffuse", view.material.diffuse);
+  if (const auto* phong = std::get_if<Phong>(&view.material.lobe))
+    show(out, "Phong", phong->reflectance) << Number{phong->exponent};
+  if (const auto* ward = std::get_if<Ward>(&view.material.lobe))
+    show(out, "Ward", ward->reflectance) << Number{ward->alpha};
+  if (const auto* ggx = std::get_if<CookTorrance>(&view.material.lobe))
+    show(out, "Cook-Torrance", ggx->f0) << Number{ggx->alpha};
+  return out;
+}
+
+std::ostream& operator<<(std::ostream& out, const Scene& scene) {
+  out << std::setprecision(9) << scene.view;
+  if (scene.min_distance > 0) out << "\nmin_distance " << Number{scene.min_distance};
+  for (const Light& light : scene.lights) {
+    constexpr const char* kinds[] = {"omni", "oriented", "spot", "directional"};
+    show(out << "\n" << kinds[int(light.kind)] << " light: ", "position", light.position);
+    show(out, "intensity", light.intensity);
+    if ((only(light.kind) & kinds_with_axis) != 0) show(out, "axis", light.axis);
+    if (light.kind == LightKind::spot)
+      out << "cosines " << Number{light.cos_inner} << " " << Number{light.cos_outer};
+  }
+  return out;
+}
+
+} // namespace lightcuts::gen

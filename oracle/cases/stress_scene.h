@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <vector>
+
+#include <lightcuts/core/lights/light_set.h>
+#include <lightcuts/core/lobes/shading_point.h>
+#include <oracle/cases/dice.h>
+
+/// Random scenes of what this field finds hard: exact ties, clumps, lights on the surface and at
+/// the shading point, scales that differ by 10^30, the ends of the float range.
+namespace lightcuts::gen {
+
+/// What a ShadingPoint is made of.
+struct View {
+  glm::vec3 position{0}, normal{0, 0, 1}, to_viewer{0, 0, 1};
+  Material material{glm::vec3(1), {}};
+
+  [[nodiscard]] ShadingPoint point() const { return {position, normal, to_viewer, material}; }
+  bool operator==(const View&) const = default;
+};
+
+struct Scene {
+  std::vector<Light> lights;
+  View view;
+  float min_distance = 0; ///< 0: no clamp
+
+  [[nodiscard]] LightSet light_set() const;
+};
+
+/// What a scene is drawn from.
+struct Choice {
+  std::optional<LightKind> kind = {};   ///< nothing: any, mostly one
+  std::optional<std::size_t> lobe = {}; ///< index into Lobe; nothing: any
+  std::optional<bool> clamped = {};
+};
+
+[[nodiscard]] Scene make_scene(Dice& dice, int count, const Choice& choice = {});
+/// Another view of such lights: often at one of them, or on faces of their boxes.
+[[nodiscard]] View make_view(Dice& dice, const std::vector<Light>& lights,
+                             const Choice& choice = {});
+
+std::ostream& operator<<(std::ostream& out, const View& view);
+std::ostream& operator<<(std::ostream& out, const Scene& scene);
+
+} // namespace lightcuts::gen

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <lightcuts/core/kernels/error_bound.h>
+#include <lightcuts/core/tree/tree_builder.h>
+#include <oracle/explain/failing_place.h>
+#include <oracle/truth/radiometry.h>
+
+#include <oracle/cases/case_names.h>
+#include <oracle/explain/explain_parts.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+// Larger clusters are of counterexamples that could not be shrunk.
+constexpr std::size_t most_lights = 12;
+
+using ExactVector = radiometry::Vector<Exact>;
+
+std::string text_of(const ExactVector& v) {
+  return fmt::format("({}, {}, {})", oracle::text_of(v[0], 9), oracle::text_of(v[1], 9),
+                     oracle::text_of(v[2], 9));
+}
+
+// ---- the lights
+
+/// f of the material for light along `way`.
+ExactVector brdf(const ShadingPoint& point, const radiometry::Way<Exact>& way) {
+  ExactVector f = std::visit([&](const auto& lobe) { return radiometry::lobe<Exact>(lobe, way); },
+                             point.material().lobe);
+  for (int c = 0; c < 3; ++c)
+    f[std::size_t(c)] += Exact(point.material().diffuse[c]) / radiometry::pi<Exact>();
+  return f;
+}
+
+/// 1/max(|q|^2, least^2); 1 for a directional light.
+Exact falloff(const Light& light, const radiometry::Way<Exact>& way, float min_distance) {
+  if (light.kind == LightKind::directional) return 1;
+  const Exact least2 = Exact(min_distance) * Exact(min_distance);
+  return 1 / (way.distance2 < least2 ? least2 : way.distance2);
+}
+
+std::string exact_line(const std::string& name, const Exact& value, const char* note = "") {
+  return line("  " + name, oracle::text_of(value), note);
+}
+
+/// Where it shines.
+std::string axis_text(const Light& light) {
+  std::string text;
+  if ((only(light.kind) & kinds_with_axis) != 0)
+    text += line("  axis", oracle::text_of(light.axis));
+  if (light.kind == LightKind::spot)
+    text += line("  cosines of rims",
+                 fmt::format("{:.9g} and {:.9g}", light.cos_inner, light.cos_outer));
+  return text;
+}
+
+std::string light_text(const PointCase& at, std::uint32_t index) {
+  const Light& light = at.lights()[index];
+  const float min_distance = at.lights().min_distance();
+  const radiometry::Way<Exact> way(at.point, light);
+  std::string text =
+      fmt::format("  light {}{}: {} {} {}\n", index, at.visible[index] == 0 ? " (hidden)" : "",
+                  name_of(light.kind), light.kind == LightKind::directional ? "towards" : "at",
+                  oracle::text_of(light.position));
+  text += line("  intensity", oracle::text_of(light.intensity)) + axis_text(light);
+  text += line("  q", text_of(way.q));
+  text += exact_line("|q|^2", way.distance2) + exact_line("|q|", way.distance);
+  if (way.n_dot_l <= 0)
+    return text + exact_line("n.l", way.n_dot_l, "not above the horizon: contributes 0");
+  text += exact_line("n.l", way.n_dot_l);
+  text += exact_line("falloff", falloff(light, way, min_distance),
+                     light.kind == LightKind::directional ? "" : "1/max(|q|^2, least distance^2)");
+  text += exact_line("emission", radiometry::emission<Exact>(light, at.point, way.distance));
+  const ExactVector f = brdf(at.point, way);
+  text += row_of("  BRDF", [&](int c) { return oracle::text_of(f[std::size_t(c)]); });
+  std::array<Exact, 3> sent;
+  for (int c = 0; c < 3; ++c)
+    sent[std::size_t(c)] = exact_contribution(light, at.point, min_distance, c);
+  text += row_of("  contribution", [&](int c) { return oracle::text_of(sent[std::size_t(c)]); });
+  return text + row_of("", [&](int c) {
+           return fmt::format("{:a}", static_cast<double>(sent[std::size_t(c)]));
+         });
+}
+
+std::string lights_text(const PointCase& at, std::uint32_t node) {
+  std::vector<std::uint32_t> lights = at.topology().all_lights(node);
+  std::sort(lights.begin(), lights.end());
+  std::string text = "contribution = BRDF n.l falloff emission intensity\n";
+  for (std::size_t i = 0; i < lights.size() && i < most_lights; ++i)
+    text += light_text(at, lights[i]);
+  if (lights.size() > most_lights)
+    text += fmt::format("  ... and {} more lights\n", lights.size() - most_lights);
+  return text;
+}
+
+// ---- the library's bound of the same lights
+
+/// A cluster of the library's: the subject's own where it has the library's tree, else one made of
+/// the same lights.
+struct LibraryCluster {
+  std::optional<LightTree> made;
+  const LightTree* tree;
+  std::uint32_t node;
+
+  LibraryCluster(const Judged& judged, const PointCase& at, std::uint32_t of)
+      : tree(judged.tree.library_tree()), node(of) {
+    if (tree != nullptr) return;
+    LightSet lights;
+    for (const std::uint32_t i : at.topology().all_lights(of)) lights.add(at.lights()[i]);
+    if (at.lights().min_distance() > 0) lights.set_min_distance(at.lights().min_distance());
+    made.emplace(build(lights));
+    tree = &*made;
+    node = 0;
+  }
+  LibraryCluster(const LibraryCluster&) = delete;
+  LibraryCluster& operator=(const LibraryCluster&) = delete;
+
+  [[nodiscard]] glm::vec3 bound(const ShadingPoint& point) const {
+    if (tree->empty()) return glm::vec3(0);
+    return std::visit(
+        [&](const auto& lobe) { return contribution_bound(*tree, node, point, lobe); },
+        point.material().lobe);
+  }
+};
+
+/// The suprema that the bound of a cluster of one kind is a product of.
+struct Suprema {
+  double max_cosine_falloff, falloff, emission = 1;
+  glm::dvec3 shine{0}; ///< of lobe n.l falloff
+
+  Suprema(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
+    const JointSuprema<AnyFeatures> sup;
+    const TreeNode& n = tree.node(node);
+    const glm::vec3 from = viewed_from(n.kind(), point.position());
+    max_cosine_falloff =
+        sup.max_cosine_falloff(n.kind(), point.normal(), from, n.box, tree.min_distance2()) *
+        point.inverse_normal_length();
+    falloff = sup.falloff(n.kind(), from, n.box, tree.min_distance2());
+    if ((n.kinds & kinds_with_axis) != 0) emission = sup.emission(tree, node, n.kind(), from);
+    const auto bound_of = [&](const auto& lobe) {
+      return lobe.bound(BoxSight{point, from, n.box, max_cosine_falloff, falloff});
+    };
+    if (max_cosine_falloff > 0) shine = std::visit(bound_of, point.material().lobe);
+  }
+};
+
+std::string number_line(const char* name, double value, const char* note = "") {
+  return line(name, fmt::format("{:.17g}", value), note);
+}
+
+std::string box_and_suprema(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
+  const TreeNode& n = tree.node(node);
+  if (n.is_mixed())
+    return box_and_suprema(tree, n.first_child, point) +
+           box_and_suprema(tree, n.first_child + 1, point);
+  const Suprema sup(tree, node, point);
+  const glm::vec3 from = viewed_from(n.kind(), point.position());
+  std::string text = fmt::format("the box of {} {} light{}, and suprema over it\n", n.light_count,
+                                 name_of(n.kind()), n.light_count == 1 ? "" : "s");
+  text += line("box from", oracle::text_of(n.box.lo)) + line("to", oracle::text_of(n.box.hi));
+  if (n.kind() != LightKind::directional)
+    text += number_line("min |q|", std::sqrt(min_distance2(from, n.box)),
+                        min_distance2(from, n.box) == 0 ? "the point is in the box" : "");
+  text += number_line("max n.l falloff", sup.max_cosine_falloff, "both factors in one");
+  text += number_line("max falloff", sup.falloff) + number_line("max emission", sup.emission);
+  if (point.material().is_glossy()) text += number_row("max lobe n.l falloff", sup.shine);
+  return text + number_row("intensity", n.intensity);
+}
+
+// ---- both sides
+
+/// A comparison of a left side, 700 bits wide, with what may be no less.
+struct Sides {
+  std::string left_name, right_name;
+  std::array<Exact, 3> left;
+  std::array<double, 3> right;
+};
+
+Exact exact_of(double value) { return std::isfinite(value) ? Exact(value) : Exact(0); }
+
+/// The children's bounds in rows of their own.
+std::string children_rows(const PointCase& at, std::uint32_t node,
+                          std::span<const glm::vec3> bounds) {
+  std::string text;
+  for (const std::uint32_t child : at.topology().children(node))
+    text += number_row(fmt::format("bound of node {}", child), bounds[child]);
+  return text;
+}
+
+Sides sides_of(const Judged& judged, Property property, const PointCase& at, std::uint32_t node,
+               std::span<const glm::vec3> bounds) {
+  Sides sides{"truth", "the subject's bound", {}, {}};
+  for (int c = 0; c < 3; ++c) {
+    const auto k = std::size_t(c);
+    sides.left[k] = at.truth.exact_open(node, c);
+    sides.right[k] = bounds[node][c];
+    if (property == Property::bound_dominates_error) {
+      sides.left_name = "error of the estimate";
+      const double estimate = seen_estimate(judged, node, at, bounds[node])[c];
+      sides.left[k] = abs(exact_of(estimate) - at.truth.exact_seen(node, c));
+    } else if (property == Property::bounds_are_ordered) {
+      sides = {"the lower bound", "truth", sides.left, sides.right};
+      sides.right[k] = static_cast<double>(at.truth.exact_open(node, c));
+      sides.left[k] = exact_of(judged.tree.lower_bound(node, at.point)[c]);
+    } else if (property == Property::bound_shrinks_on_refinement) {
+      sides.left_name = "the children's bounds";
+      sides.left[k] = 0;
+      for (const std::uint32_t child : at.topology().children(node))
+        sides.left[k] += exact_of(bounds[child][c]);
+    }
+  }
+  return sides;
+}
+
+std::string truth_rows(const Judged& judged, Property property, const PointCase& at,
+                       std::uint32_t node, std::span<const glm::vec3> bounds) {
+  const auto seen = [&](int c) { return oracle::text_of(at.truth.exact_seen(node, c), 20); };
+  std::string text = row_of(
+      "truth, 700 bits", [&](int c) { return oracle::text_of(at.truth.exact_open(node, c), 20); });
+  if (property == Property::bound_dominates_error) {
+    text += row_of("of that, seen", seen);
+    text += number_row("estimate", seen_estimate(judged, node, at, bounds[node]));
+  }
+  if (property == Property::bounds_are_ordered)
+    text += number_row("lower bound", judged.tree.lower_bound(node, at.point));
+  if (property == Property::bound_shrinks_on_refinement) text += children_rows(at, node, bounds);
+  return text;
+}
+
+/// What the subject's bound leaves for n.l falloff, where that is a factor of it: one kind of light
+/// and no lobe.
+std::string left_for_reach(const LibraryCluster& cluster, const PointCase& at, std::uint32_t node,
+                           int channel, double bound) {
+  const TreeNode& n = cluster.tree->node(cluster.node);
+  const double diffuse = at.point.material().diffuse[channel] * std::numbers::inv_pi;
+  if (n.is_mixed() || at.point.material().is_glossy()) return {};
+  const double others =
+      n.intensity[channel] * Suprema(*cluster.tree, cluster.node, at.point).emission * diffuse;
+  Exact most = 0;
+  std::uint32_t light = 0;
+  for (const std::uint32_t i : at.topology().all_lights(node)) {
+    const radiometry::Way<Exact> way(at.point, at.lights()[i]);
+    const Exact max_cosine_falloff =
+        way.n_dot_l <= 0
+            ? Exact(0)
+            : Exact(way.n_dot_l * falloff(at.lights()[i], way, at.lights().min_distance()));
+    if (max_cosine_falloff > most) {
+      most = max_cosine_falloff;
+      light = i;
+    }
+  }
+  if (others == 0 || !std::isfinite(bound)) return {};
+  return wrapped(fmt::format("  bound / (intensity max emission diffuse/pi) leaves {:.9g} for n.l "
+                             "falloff; light {} has {}",
+                             bound / others, light, oracle::text_of(most, 9)));
+}
+
+std::string parting(const LibraryCluster& cluster, const Sides& sides, Property property,
+                    const PointCase& at, std::uint32_t node) {
+  for (int c = 0; c < 3; ++c) {
+    const auto k = std::size_t(c);
+    const double bound = sides.right[k];
+    const std::string where = fmt::format("they part here: channel {}, ", "rgb"[c]);
+    if (property == Property::results_are_finite || property == Property::bound_is_finite) {
+      if (bound >= 0 && std::isfinite(bound)) continue;
+      return wrapped(where + fmt::format("{} is {}, the truth {}", sides.right_name, bound,
+                                         oracle::text_of(sides.left[k], 9)));
+    }
+    if (bound >= 0 && (!std::isfinite(bound) || Exact(bound) >= sides.left[k])) continue;
+    std::string text =
+        where + fmt::format("{} {} > {} {:.9g}", sides.left_name, oracle::text_of(sides.left[k], 9),
+                            sides.right_name, bound);
+    if (bound > 0)
+      text += fmt::format(", {} times", oracle::text_of(Exact(sides.left[k] / Exact(bound)), 9));
+    text = wrapped(text);
+    if (property == Property::bound_dominates_contribution)
+      text += left_for_reach(cluster, at, node, c, bound);
+    return text;
+  }
+  return {};
+}
+
+std::string cluster_text(const Judged& judged, Property property, const PointCase& at,
+                         std::uint32_t node, std::span<const glm::vec3> bounds) {
+  const std::uint32_t count = at.topology().light_count(node);
+  const std::uint32_t representative = at.topology().representative(node);
+  std::string text = fmt::format("node {} of {}: {} light{}", node, at.topology().size(), count,
+                                 count == 1 ? "" : "s");
+  if (representative != TreeClaim::unsaid)
+    text += fmt::format(", represented by light {}", representative);
+  const LibraryCluster cluster(judged, at, node);
+  text += "\n" + lights_text(at, node) + "\n";
+  if (!cluster.tree->empty()) text += box_and_suprema(*cluster.tree, cluster.node, at.point);
+  text +=
+      "bound = intensity max emission (diffuse/pi max(n.l falloff) + max(lobe n.l falloff))\n\n";
+  const Sides sides = sides_of(judged, property, at, node, bounds);
+  text += channel_head() + truth_rows(judged, property, at, node, bounds);
+  text += number_row("the library's bound", cluster.bound(at.point));
+  text += number_row("the subject's bound", bounds[node]);
+  text += row_of("truth / its bound", [&](int c) -> std::string {
+    const double ratio = ratio_of(at.truth.open(node)[std::size_t(c)], bounds[node][c]);
+    return ratio == std::numeric_limits<double>::max() ? "inf" : fmt::format("{:.9g}", ratio);
+  });
+  return text + "\n" + parting(cluster, sides, property, at, node);
+}
+
+} // namespace
+
+std::string explain_cluster(const Judged& judged, Property property, const PointCase& at) {
+  if (!judged.has(Part::bounds)) return {};
+  std::vector<glm::vec3> bounds(at.topology().size());
+  judged.tree.bounds(at.point, bounds);
+  const auto node = failing_cluster(judged, property, at, bounds);
+  return node ? cluster_text(judged, property, at, *node, bounds) : std::string();
+}
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <vector>
+
+#include <lightcuts/core/numerics/splitmix.h>
+
+#include <oracle/mutants/groups.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+using Importance = HierarchicalImportance<AnyFeatures>;
+
+ChildShares shares_of_node(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
+  return std::visit([&](const auto& lobe) { return Importance::shares(tree, node, point, lobe); },
+                    point.material().lobe);
+}
+
+/// The library's tree, but for how it draws.
+class OtherDraws : public RulesTree<LightcutsRules> {
+public:
+  using RulesTree::RulesTree;
+  /// Lights each cluster of the library's cut by what sample() draws.
+  Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
+           const std::function<bool(std::uint32_t)>& visible) override {
+    Cut cut = select(point, config, [](std::uint32_t) { return true; });
+    clusters_.assign(cut.clusters.begin(), cut.clusters.end());
+    glm::dvec3 total(0);
+    for (CutCluster& c : clusters_) {
+      c.estimate = estimate_of(c.node, point, query, visible);
+      total += c.estimate;
+    }
+    for (int c = 0; c < 3; ++c) cut.radiance[c] = to_float(total[c]);
+    cut.clusters = clusters_;
+    return cut;
+  }
+
+protected:
+  /// The random number of a cluster.
+  [[nodiscard]] virtual double number(std::uint64_t query, std::uint32_t node) const {
+    return random_number(1, query, node);
+  }
+  [[nodiscard]] glm::dvec3 light_of(std::uint32_t light, const ShadingPoint& point,
+                                    const std::function<bool(std::uint32_t)>& visible) const {
+    const Light& one = tree().lights()[light];
+    if (!visible(light)) return glm::dvec3(0);
+    return transfer(point, one, tree().lights().min_distance()) * glm::dvec3(one.intensity);
+  }
+  virtual glm::dvec3 estimate_of(std::uint32_t node, const ShadingPoint& point, std::uint64_t query,
+                                 const std::function<bool(std::uint32_t)>& visible) {
+    const DrawnLight drawn = sample(node, point, number(query, node));
+    if (drawn.probability == 0) return glm::dvec3(0);
+    return light_of(drawn.light, point, visible) / drawn.probability;
+  }
+
+private:
+  std::vector<CutCluster> clusters_;
+};
+
+/// Numbers of its own at each level, not u: asked again, it draws another light.
+class RandomNumberLost : public CopiedPerThread<RandomNumberLost, OtherDraws> {
+public:
+  using CopiedPerThread<RandomNumberLost, OtherDraws>::CopiedPerThread;
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double /*u*/) override {
+    return OtherDraws::sample(node, point, double(splitmix64(count_++) >> 11) * 0x1p-53);
+  }
+
+private:
+  std::uint64_t count_ = 0;
+};
+
+class OneNumberForAll : public CopiedPerThread<OneNumberForAll, OtherDraws> {
+public:
+  using CopiedPerThread<OneNumberForAll, OtherDraws>::CopiedPerThread;
+
+protected:
+  [[nodiscard]] double number(std::uint64_t query, std::uint32_t /*node*/) const override {
+    return random_number(1, query, 0);
+  }
+};
+
+/// One light for its probability, another one to shade with.
+class ResampledBetween : public CopiedPerThread<ResampledBetween, OtherDraws> {
+public:
+  using CopiedPerThread<ResampledBetween, OtherDraws>::CopiedPerThread;
+
+protected:
+  glm::dvec3 estimate_of(std::uint32_t node, const ShadingPoint& point, std::uint64_t query,
+                         const std::function<bool(std::uint32_t)>& visible) override {
+    const DrawnLight drawn = sample(node, point, random_number(1, query, node));
+    const DrawnLight again = sample(node, point, random_number(2, query, node));
+    if (drawn.probability == 0 || again.probability == 0) return glm::dvec3(0);
+    return light_of(again.light, point, visible) / drawn.probability;
+  }
+};
+
+/// Draws by other shares of the children.
+template <ChildShares shares(const LightTree&, std::uint32_t node, const ShadingPoint&)>
+class OtherShares : public CopiedPerThread<OtherShares<shares>, OtherDraws> {
+public:
+  using CopiedPerThread<OtherShares<shares>, OtherDraws>::CopiedPerThread;
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
+    double p = 1;
+    while (!this->tree().node(node).is_leaf()) {
+      const ChildShares share = shares(this->tree(), node, point);
+      if (share.first == 0 && share.second == 0) return {};
+      const bool first = u < share.first;
+      u = std::min(first ? u / share.first : (u - share.first) / share.second, 1 - 0x1p-53);
+      p *= first ? share.first : share.second;
+      node = this->tree().node(node).first_child + (first ? 0 : 1);
+    }
+    return {this->tree().node(node).representative, p};
+  }
+  std::vector<double> probabilities(std::uint32_t node, const ShadingPoint& point,
+                                    std::span<const std::uint32_t> lights) override {
+    std::vector<double> known(this->tree().lights().size(), 0);
+    visit(node, point, 1, known);
+    std::vector<double> result;
+    for (const std::uint32_t light : lights) result.push_back(known[light]);
+    return result;
+  }
+
+private:
+  void visit(std::uint32_t node, const ShadingPoint& point, double p, std::vector<double>& known) {
+    const TreeNode& n = this->tree().node(node);
+    if (n.is_leaf()) {
+      known[n.representative] = p;
+      return;
+    }
+    const ChildShares share = shares(this->tree(), node, point);
+    visit(n.first_child, point, p * share.first, known);
+    visit(n.first_child + 1, point, p * share.second, known);
+  }
+};
+
+/// Weighs a child by the light at its box's centre: 0 if that lies below the horizon.
+ChildShares shares_by_centre(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
+  const auto weight = [&](std::uint32_t i) {
+    const TreeNode& n = tree.node(i);
+    const glm::vec3 centre = glm::vec3(0.5 * (glm::dvec3(n.box.lo) + glm::dvec3(n.box.hi)));
+    const glm::vec3 from = viewed_from(n.kind(), point.position());
+    const double facing = dot_between(point.normal(), from, centre);
+    return facing > 0 ? n.intensity.x + n.intensity.y + n.intensity.z : 0.0;
+  };
+  const std::uint32_t child = tree.node(node).first_child;
+  return shares_of(weight(child), weight(child + 1));
+}
+
+/// Goes on with u p where it should with u / p.
+class InverseProbability : public CopiedPerThread<InverseProbability, OtherDraws> {
+public:
+  using CopiedPerThread<InverseProbability, OtherDraws>::CopiedPerThread;
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
+    double p = 1;
+    while (!tree().node(node).is_leaf()) {
+      const ChildShares share = shares_of_node(tree(), node, point);
+      if (share.first == 0 && share.second == 0) return {};
+      const bool first = u < share.first;
+      u = first ? u * share.first : (u - share.first) * share.second;
+      p *= first ? share.first : share.second;
+      node = tree().node(node).first_child + (first ? 0 : 1);
+    }
+    return {tree().node(node).representative, p};
+  }
+};
+
+/// Divides by the probability by intensity, but draws by importance.
+class PdfMismatch : public CopiedPerThread<PdfMismatch, OtherDraws> {
+public:
+  using CopiedPerThread<PdfMismatch, OtherDraws>::CopiedPerThread;
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
+    DrawnLight drawn = OtherDraws::sample(node, point, u);
+    if (drawn.probability > 0)
+      drawn.probability =
+          light_probability(IntensityImportance(), tree(), node, drawn.light, point, NoLobe());
+    return drawn;
+  }
+};
+
+constexpr Mutant catalogue[] = {
+    {"random-number-lost", "draws by other numbers than the one it is given",
+     with_tree<RandomNumberLost>},
+    {"one-number-for-all", "draws from all clusters of a cut by one random number",
+     with_tree<OneNumberForAll>},
+    {"resampled-between", "divides the light of one draw by the probability of another",
+     with_tree<ResampledBetween>},
+    {"dead-branch", "never draws from a child whose centre lies below the horizon",
+     with_tree<OtherShares<shares_by_centre>>},
+    {"inverse-probability", "goes on down the tree with u p in place of u / p",
+     with_tree<InverseProbability>},
+    {"pdf-mismatch", "states the probability by intensity of what it draws by importance",
+     with_tree<PdfMismatch>},
+};
+
+} // namespace
+
+std::span<const Mutant> sampling_mutants() { return catalogue; }
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/report/pages/report_json.h>
+
+#include <charconv>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <oracle/report/pages/run_columns.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The double that prints with the float's own few digits: 0.1, not 0.10000000149011612.
+double same_digits(float value) {
+  const std::string text = fmt::format("{}", value);
+  double result = value;
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result;
+}
+
+Json run_json(const Run& run) {
+  Json json;
+  for_each_column(run, [&](const char* name, const auto& value) { json[name] = value; });
+  return json;
+}
+
+} // namespace
+
+std::string report_json(const Report& report) {
+  Json json;
+  json["schema"] = "lightcuts-oracle/report/1";
+  json["scene"] = report.scene;
+  json["seed"] = report.seed;
+  json["builder"] = report.builder;
+  json["lights"] = report.lights;
+  json["triangles"] = report.triangles;
+  json["width"] = report.size.x;
+  json["height"] = report.size.y;
+  json["surface_pixels"] = report.surface_pixels;
+  json["threads"] = report.threads;
+  json["repeats"] = report.repeats;
+  json["black_level"] = same_digits(report.black_level);
+  json["needs"] = report.needs;
+  json["left_out"] = report.left_out;
+  json["runs"] = Json::array();
+  for (const Run& run : report.runs) json["runs"].push_back(run_json(run));
+  // dump() writes what is not finite as null.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <lightcuts/render/io/images/film.h>
+#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/view/renderer.h>
+
+namespace lightcuts::oracle {
+
+/// What there is to show of a rendering.
+struct PictureSource {
+  const Rendering& rendering;
+  const Rendering* reference = nullptr; ///< null: no errors are shown
+  float black_level = 0;
+  std::string scene;
+  std::uint64_t seed = 1;
+  float threshold = 0;
+};
+
+/// Everything as float channels: R G B, reference.R …, cut.size, cut.bound (certified error, summed
+/// over channels), cut.error (true error, likewise), cut.slack (their ratio; 0 where the error is),
+/// rays.shadow, time.us; metadata scene, seed, threshold, version.
+[[nodiscard]] Film film_of(const PictureSource& source);
+
+/// Stages image.exr, the picture and its heat maps as PNG. Returns captions and file names, in the
+/// order to show them.
+std::vector<std::pair<std::string, std::string>> write_pictures(const PictureSource& source,
+                                                                OutputFolder& folder);
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <lightcuts/core/cut/cut_selector.h>
+#include <lightcuts/core/lights/light_set.h>
+#include <lightcuts/core/lobes/shading_point.h>
+#include <oracle/subjects/topology.h>
+
+namespace lightcuts {
+class SceneView;
+struct VisiblePoint;
+struct RenderConfig;
+struct Rendering;
+class LightTree;
+} // namespace lightcuts
+
+namespace lightcuts::oracle {
+
+/// What of an implementation can be judged; one bit each.
+enum class Part : unsigned {
+  bounds = 1,            ///< SubjectTree::bound()
+  lower_bounds = 2,      ///< SubjectTree::lower_bound()
+  estimates = 4,         ///< SubjectTree::estimate()
+  cuts = 8,              ///< SubjectTree::select()
+  sampling = 16,         ///< SubjectTree::sample() and probability()
+  refinement_order = 32, ///< Subject::refined_before()
+  occlusion = 64,        ///< Subject::sees()
+  pictures = 128,        ///< Subject::render()
+  random_cuts = 256      ///< SubjectTree::draw()
+};
+inline constexpr int part_count = 9;
+using Parts = unsigned;
+[[nodiscard]] constexpr Parts only(Part part) { return unsigned(part); }
+[[nodiscard]] constexpr bool has(Parts parts, Part part) { return (parts & only(part)) != 0; }
+[[nodiscard]] const char* name_of(Part part);
+/// Names of all that are not among them.
+[[nodiscard]] std::vector<std::string> names_without(Parts parts);
+
+/// A light drawn from a cluster.
+struct DrawnLight {
+  std::uint32_t light = 0;
+  double probability = 0; ///< with which it is drawn; 0: none was drawn, as none contributes
+};
+
+/// Thrown by a subject that cannot answer: it crashed, hung, or said what cannot be read.
+class SubjectFailure : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A light tree that a subject built, for one thread. Functions outside the subject's parts throw
+/// std::logic_error; any may throw SubjectFailure.
+class SubjectTree {
+public:
+  virtual ~SubjectTree() = default;
+  /// The same tree, to be used by another thread.
+  [[nodiscard]] virtual std::unique_ptr<SubjectTree> for_another_thread() const = 0;
+  /// What it says the tree is.
+  [[nodiscard]] virtual TreeClaim claim() const = 0;
+
+  /// What it takes for an upper bound of the cluster's unoccluded contribution, per channel.
+  virtual glm::vec3 bound(std::uint32_t node, const ShadingPoint& point);
+  /// The same of all nodes; `out` has room for them.
+  virtual void bounds(const ShadingPoint& point, std::span<glm::vec3> out);
+  /// A lower bound of the same, where nothing occludes.
+  virtual glm::vec3 lower_bound(std::uint32_t node, const ShadingPoint& point);
+  /// What it takes the cluster to contribute if its representative is seen, given its bound.
+  virtual glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
+                              const glm::vec3& bound);
+  /// A cut; valid until the next call. visible(i) tells whether light i is seen.
+  virtual Cut select(const ShadingPoint& point, const CutConfig& config,
+                     const std::function<bool(std::uint32_t)>& visible);
+  /// Draws one of the cluster's lights by a random number u in [0, 1).
+  virtual DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u);
+  /// The same for many random numbers, of which `out` has as many.
+  virtual void samples(std::uint32_t node, const ShadingPoint& point, std::span<const double> u,
+                       std::span<DrawnLight> out);
+  /// The probability with which sample() draws the light.
+  virtual double probability(std::uint32_t node, const ShadingPoint& point, std::uint32_t light);
+  /// The same of several lights.
+  virtual std::vector<double> probabilities(std::uint32_t node, const ShadingPoint& point,
+                                            std::span<const std::uint32_t> lights);
+  /// A random estimate: each cluster of a cut lit by one light drawn by the subject's own random
+  /// numbers, which `query` decides. The cut does not depend on it. Valid until the next call.
+  virtual Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
+                   const std::function<bool(std::uint32_t)>& visible);
+  /// The library's own tree underneath, or nothing for a foreign one.
+  [[nodiscard]] virtual const LightTree* library_tree() const { return nullptr; }
+};
+
+/// What the oracle judges: the library, a broken variant of it, or a foreign implementation.
+/// Functions may be called from many threads.
+class Subject {
+public:
+  virtual ~Subject() = default;
+  [[nodiscard]] virtual const std::string& name() const = 0;
+  [[nodiscard]] virtual Parts parts() const = 0;
+  /// Builds its tree; seed: of the random choices in that.
+  [[nodiscard]] virtual std::unique_ptr<SubjectTree> build(const LightSet& lights,
+                                                           std::uint64_t seed) const = 0;
+  /// Whether a cluster with the first relative bound is refined before one with the second.
+  [[nodiscard]] virtual bool refined_before(double bound, double other) const;
+  /// Whether a light is seen from there.
+  [[nodiscard]] virtual bool sees(const SceneView& view, const VisiblePoint& from,
+                                  std::uint32_t light) const;
+  /// A picture of the scene; a pixel is what select() makes of its point.
+  [[nodiscard]] virtual Rendering render(const SceneView& view, const LightTree& tree,
+                                         const RenderConfig& config) const;
+};
+
+} // namespace lightcuts::oracle

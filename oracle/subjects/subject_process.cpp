@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/subjects/subject_process.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <oracle/subjects/subject.h>
+
+extern char** environ;
+
+namespace lightcuts::oracle {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+[[noreturn]] void throw_errno(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+/// A file descriptor, closed at the end.
+class Descriptor {
+public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() {
+    if (fd_ >= 0) close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int get() const { return fd_; }
+  [[nodiscard]] int release() { return std::exchange(fd_, -1); }
+  /// One above those of the host, which are set one after another.
+  [[nodiscard]] int moved_up() const {
+    const int fd = fcntl(fd_, F_DUPFD_CLOEXEC, 10);
+    if (fd < 0) throw_errno("fcntl");
+    return fd;
+  }
+
+private:
+  int fd_;
+};
+
+pid_t spawn(const std::string& host, const std::string& plugin, int socket, int marker) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, 2, 1); // stdout is the oracle's own
+  posix_spawn_file_actions_adddup2(&actions, socket, protocol::socket_fd);
+  posix_spawn_file_actions_adddup2(&actions, marker, protocol::marker_fd);
+  posix_spawn_file_actions_addclosefrom_np(&actions, protocol::marker_fd + 1);
+  // A group of its own, so that what the plug-in starts ends with it.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  std::string arguments[] = {host, plugin};
+  char* argv[] = {arguments[0].data(), arguments[1].data(), nullptr};
+  pid_t pid = -1;
+  const int error = posix_spawn(&pid, host.c_str(), &actions, &attributes, argv, environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) throw std::system_error(error, std::generic_category(), host);
+  return pid;
+}
+
+} // namespace
+
+class SubjectProcess::Deadline {
+public:
+  explicit Deadline(double seconds)
+      : end_(Clock::now() +
+             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {}
+  /// For poll(); 0 once it has passed.
+  [[nodiscard]] int milliseconds_left() const {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - Clock::now()).count();
+    return int(std::clamp<std::int64_t>(left, 0, 1'000'000'000));
+  }
+
+private:
+  Clock::time_point end_;
+};
+
+SubjectProcess::SubjectProcess(const std::filesystem::path& host,
+                               const std::filesystem::path& plugin, double seconds)
+    : name_(plugin.filename().string()), seconds_(seconds) {
+  try {
+    start(host, plugin);
+  } catch (...) {
+    kill();
+    throw;
+  }
+}
+
+SubjectProcess::~SubjectProcess() { kill(); }
+
+void SubjectProcess::start(const std::filesystem::path& host, const std::filesystem::path& plugin) {
+  const Descriptor memory(memfd_create("lightcuts-marker", MFD_CLOEXEC));
+  if (memory.get() < 0 || ftruncate(memory.get(), sizeof(protocol::Marker)) != 0)
+    throw_errno("memfd_create");
+  void* shared =
+      mmap(nullptr, sizeof(protocol::Marker), PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
+  if (shared == MAP_FAILED) throw_errno("mmap");
+  marker_ = new (shared) protocol::Marker{protocol::Function::load, protocol::no_node};
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw_errno("socketpair");
+  socket_ = ends[0];
+  const Descriptor theirs(ends[1]);
+  if (fcntl(socket_, F_SETFL, O_NONBLOCK) != 0) throw_errno("fcntl");
+  const Descriptor socket_above(theirs.moved_up()), memory_above(memory.moved_up());
+  pid_ = spawn(host.string(), plugin.string(), socket_above.get(), memory_above.get());
+}
+
+void SubjectProcess::kill() {
+  if (socket_ >= 0) close(std::exchange(socket_, -1));
+  if (pid_ > 0) {
+    ::kill(-pid_, SIGKILL);
+    ::kill(pid_, SIGKILL); // it may have left its group
+    waitpid(std::exchange(pid_, -1), nullptr, 0);
+  }
+  if (marker_ != nullptr) munmap(std::exchange(marker_, nullptr), sizeof(protocol::Marker));
+}
+
+std::string SubjectProcess::place() const {
+  const auto function = std::min(std::size_t(marker_->function.load()),
+                                 std::size_t(protocol::Function::none)); // whoever wrote there
+  const std::uint32_t node = marker_->node.load();
+  const char* name = protocol::function_names[function];
+  return node == protocol::no_node ? name : fmt::format("{} of node {}", name, node);
+}
+
+void SubjectProcess::fail(const std::string& what) {
+  failure_ = fmt::format("{}: {}", name_, what);
+  kill();
+  throw SubjectFailure(failure_);
+}
+
+void SubjectProcess::refuse(const std::string& what) { fail(what); }
+
+void SubjectProcess::fail_by_death() {
+  int status = 0;
+  pid_t ended = 0;
+  // It may have closed the connection, or its last words may be on their way.
+  for (int i = 0; i < 200 && ended == 0; ++i) {
+    ended = waitpid(pid_, &status, WNOHANG);
+    if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const std::string where = place();
+  if (ended != pid_) fail("closed the connection to the oracle " + where);
+  ::kill(-pid_, SIGKILL); // what it may have started
+  pid_ = -1;
+  if (WIFSIGNALED(status))
+    fail(fmt::format("crashed (signal {}, {}) {}", WTERMSIG(status), strsignal(WTERMSIG(status)),
+                     where));
+  fail(fmt::format("exited with code {} {}", WEXITSTATUS(status), where));
+}
+
+void SubjectProcess::wait_for(short event, const Deadline& deadline) {
+  for (;;) {
+    pollfd ready{socket_, event, 0};
+    const int left = deadline.milliseconds_left();
+    const int n = poll(&ready, 1, left);
+    if (n > 0) return;
+    if (n < 0 && errno != EINTR) throw_errno("poll");
+    if (n == 0 && left == 0) {
+      siginfo_t info{}; // it may be dead, and a process that it started hold the connection
+      const int peek = WEXITED | WNOHANG | WNOWAIT;
+      if (waitid(P_PID, id_t(pid_), &info, peek) == 0 && info.si_pid == pid_) fail_by_death();
+      fail(fmt::format("hung for {:g} s {}", seconds_, place()));
+    }
+  }
+}
+
+void SubjectProcess::send(std::span<const std::byte> bytes, const Deadline& deadline) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (n >= 0)
+      bytes = bytes.subspan(std::size_t(n));
+    else if (errno == EAGAIN || errno == EWOULDBLOCK)
+      wait_for(POLLOUT, deadline);
+    else if (errno != EINTR)
+      fail_by_death();
+  }
+}
+
+void SubjectProcess::receive(std::span<std::byte> bytes, const Deadline& deadline) {
+  while (!bytes.empty()) {
+    const ssize_t n = recv(socket_, bytes.data(), bytes.size(), 0);
+    if (n > 0)
+      bytes = bytes.subspan(std::size_t(n));
+    else if (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))
+      wait_for(POLLIN, deadline);
+    else if (n == 0 || errno != EINTR)
+      fail_by_death();
+  }
+}
+
+std::span<const std::byte> SubjectProcess::receive_answer(const Deadline& deadline,
+                                                          std::uint64_t most) {
+  constexpr std::uint64_t longest_text = 4096;
+  protocol::AnswerHeader header{};
+  receive(std::as_writable_bytes(std::span(&header, 1)), deadline);
+  const bool done = header.answer == protocol::Answer::done;
+  if (header.size > (done ? most : longest_text)) fail("wrote to the oracle's own connection");
+  answer_.resize(header.size);
+  receive(answer_, deadline);
+  if (!done) fail(protocol::Reader(answer_).rest());
+  return answer_;
+}
+
+std::span<const std::byte> SubjectProcess::loaded() {
+  constexpr std::uint64_t longest_name = 4096;
+  return receive_answer(Deadline(seconds_), longest_name);
+}
+
+std::span<const std::byte> SubjectProcess::ask(protocol::Request request,
+                                               std::span<const std::byte> payload,
+                                               std::uint64_t most) {
+  if (!is_alive()) throw SubjectFailure(failure_);
+  const Deadline deadline(seconds_);
+  send(protocol::joined(protocol::RequestHeader{request, payload.size()}, payload), deadline);
+  return receive_answer(deadline, most);
+}
+
+} // namespace lightcuts::oracle

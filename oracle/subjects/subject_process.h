@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+#include <oracle/subjects/subject_protocol.h>
+
+namespace lightcuts::oracle {
+
+/// A plug-in in a process of its own, for one thread. Whatever goes wrong with it kills the process
+/// and throws SubjectFailure; so does everything asked after that.
+class SubjectProcess {
+public:
+  /// Starts `host` with the plug-in. seconds: time limit of each question.
+  SubjectProcess(const std::filesystem::path& host, const std::filesystem::path& plugin,
+                 double seconds);
+  ~SubjectProcess();
+  SubjectProcess(const SubjectProcess&) = delete;
+  SubjectProcess& operator=(const SubjectProcess&) = delete;
+
+  /// The answer to the loading of the plug-in; to be called first.
+  [[nodiscard]] std::span<const std::byte> loaded();
+  /// The answer to a request, of `most` bytes at most; valid until the next.
+  [[nodiscard]] std::span<const std::byte>
+  ask(protocol::Request request, std::span<const std::byte> payload, std::uint64_t most);
+  /// Ends the process for what it answered, which cannot be read.
+  [[noreturn]] void refuse(const std::string& what);
+
+  [[nodiscard]] bool is_alive() const { return pid_ > 0; }
+
+private:
+  class Deadline;
+
+  void start(const std::filesystem::path& host, const std::filesystem::path& plugin);
+  std::span<const std::byte> receive_answer(const Deadline& deadline, std::uint64_t most);
+  void send(std::span<const std::byte> bytes, const Deadline& deadline);
+  void receive(std::span<std::byte> bytes, const Deadline& deadline);
+  void wait_for(short event, const Deadline& deadline);
+  [[noreturn]] void fail_by_death();
+  [[noreturn]] void fail(const std::string& what);
+  [[nodiscard]] std::string place() const;
+  void kill();
+
+  std::string name_; ///< the file's
+  double seconds_;
+  pid_t pid_ = -1;
+  int socket_ = -1;
+  protocol::Marker* marker_ = nullptr;
+  std::string failure_;
+  std::vector<std::byte> answer_;
+};
+
+} // namespace lightcuts::oracle

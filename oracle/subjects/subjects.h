@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <oracle/subjects/subject.h>
+
+namespace lightcuts::oracle {
+
+/// "lightcuts", "locally-ordered", "paper", "stochastic-intensity", "mutant:NAME", a mutant's mere
+/// name, or the file of a plug-in: what has a slash or ends in ".so"; time_limit: of each question
+/// to it, seconds. Throws InputError, naming it, where there is no such subject.
+[[nodiscard]] std::unique_ptr<Subject> subject_named(const std::string& name,
+                                                     double time_limit = 10);
+
+/// The name in full by which files remember a subject: a mutant's gets its "mutant:".
+[[nodiscard]] std::string full_subject_name(const std::string& name);
+
+/// Whether it is the library, of which waste is a failure, too.
+[[nodiscard]] bool is_library(const Subject& subject);
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/core/lights/light_set.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <lightcuts/core/input_error.h>
+#include <tests/support/generators.h>
+
+namespace lightcuts {
+namespace {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+/// The message with which the third light is refused; empty if it is taken.
+std::string refusal(const glm::vec3& position, const glm::vec3& intensity) {
+  LightSet lights;
+  lights.add_omni({0, 0, 0}, {1, 1, 1});
+  lights.add_omni({0, 0, 0}, {1, 1, 1});
+  try {
+    lights.add_omni(position, intensity);
+  } catch (const InputError& error) {
+    EXPECT_EQ(lights.size(), 2U) << "a refused light must not stay";
+    return error.what();
+  }
+  return {};
+}
+
+bool names(const std::string& message, const std::string& field) {
+  return message.find("light 2") != std::string::npos && message.find(field) != std::string::npos &&
+         message.find('\n') == std::string::npos;
+}
+
+TEST(LightSet, NamesTheLightAndTheFieldItRefuses) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float bad : {nan, inf, -inf}) {
+      glm::vec3 v(1);
+      v[axis] = bad;
+      EXPECT_TRUE(names(refusal(v, {1, 1, 1}), std::string("position.") + "xyz"[axis]));
+      EXPECT_TRUE(names(refusal({1, 1, 1}, v), std::string("intensity.") + "rgb"[axis]));
+    }
+  EXPECT_TRUE(names(refusal({0, 0, 0}, {1, -0x1p-149F, 1}), "intensity.g"));
+}
+
+TEST(LightSet, TakesBlackLightsAndNegativeZero) {
+  EXPECT_EQ(refusal({0, 0, 0}, {0, 0, 0}), "");
+  EXPECT_EQ(refusal({-0.0F, 0, 0}, {-0.0F, 0, 0}), "");
+}
+
+RC_GTEST_PROP(LightSet, KeepsWhatWasAddedInOrder, ()) {
+  const gen::Scene scene = *gen::scene();
+  const LightSet lights = scene.light_set();
+  RC_ASSERT(lights.size() == scene.lights.size());
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    RC_ASSERT(lights[i].position == scene.lights[i].position);
+    RC_ASSERT(lights[i].intensity == scene.lights[i].intensity);
+    RC_ASSERT(lights[i].kind == scene.lights[i].kind);
+    RC_ASSERT((lights.kinds() & only(lights[i].kind)) != 0);
+  }
+}
+
+/// The message with which a set of one light refuses what `add` adds; empty if it takes it.
+template <class Add>
+std::string refusal_of(Add&& add) {
+  LightSet lights;
+  lights.add_omni({0, 0, 0}, {1, 1, 1});
+  try {
+    add(lights);
+  } catch (const InputError& error) {
+    EXPECT_EQ(lights.size(), 1U) << "a refused light must not stay";
+    return error.what();
+  }
+  return {};
+}
+
+TEST(LightSet, RefusesDirectionsThatAreNotUnit) {
+  const glm::vec3 one(1);
+  for (const glm::vec3& bad : {glm::vec3(0), glm::vec3(0, 0.999F, 0), glm::vec3(1e30F)}) {
+    EXPECT_THAT(refusal_of([&](LightSet& l) { l.add_oriented({}, bad, one); }),
+                testing::StartsWith("light 1: normal has length"));
+    EXPECT_THAT(refusal_of([&](LightSet& l) { l.add_spot({}, bad, one, 0, 1); }),
+                testing::StartsWith("light 1: axis has length"));
+    EXPECT_THAT(refusal_of([&](LightSet& l) { l.add_directional(bad, one); }),
+                testing::StartsWith("light 1: direction has length"));
+  }
+  EXPECT_THAT(refusal_of([&](LightSet& l) {
+                l.add_oriented({}, {0, nan, 0}, one);
+              }),
+              testing::HasSubstr("normal.y is nan"));
+}
+
+TEST(LightSet, RefusesConesThatAreNone) {
+  const auto refused = [](float inner, float outer) {
+    return refusal_of([&](LightSet& l) { l.add_spot({}, {0, 0, 1}, {1, 1, 1}, inner, outer); });
+  };
+  for (const float bad : {0.0F, -0.1F, 3.1416F, nan, inf})
+    EXPECT_THAT(refused(0, bad), testing::HasSubstr("light 1: outer angle is"));
+  for (const float bad : {-0.1F, 1.0F, 1.1F, nan})
+    EXPECT_THAT(refused(bad, 1), testing::HasSubstr("light 1: inner angle is"));
+  EXPECT_EQ(refused(0, 3.1415927F), "");
+}
+
+TEST(LightSet, WidensANarrowRimOutwards) {
+  LightSet lights;
+  lights.add_spot({}, {0, 0, 1}, {1, 1, 1}, 0.5F, 0.500001F);
+  EXPECT_FLOAT_EQ(lights[0].cos_inner, std::cos(0.5F));
+  EXPECT_FLOAT_EQ(lights[0].cos_outer, std::cos(0.5F) - 0x1p-10F);
+}
+
+TEST(LightSet, KeepsTheDirectionTowardsADirectionalLight) {
+  LightSet lights;
+  lights.add_directional({0, -1, 0}, {1, 2, 3});
+  EXPECT_EQ(lights[0].position, glm::vec3(0, 1, 0));
+  EXPECT_EQ(lights[0].intensity, glm::vec3(1, 2, 3));
+}
+
+TEST(LightSet, RefusesAClampThatIsNone) {
+  for (const float bad : {0.0F, -1.0F, nan, inf})
+    EXPECT_THAT(refusal_of([&](LightSet& l) { l.set_min_distance(bad); }),
+                testing::StartsWith("min_distance is"));
+}
+
+TEST(LightSet, SaysHowNegativeAnIntensityIsHoweverLittle) {
+  LightSet lights;
+  try {
+    lights.add_omni({0, 0, 0}, {1, -1e-9F, 0});
+    FAIL() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "light 0: intensity.g is -1e-09, negative");
+  }
+}
+
+} // namespace
+} // namespace lightcuts

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/campaign/hunt.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <oracle/mutants/mutants.h>
+
+#include <tests/oracle/support/case_text.h>
+#include <tests/oracle/support/made_subject.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+using testing::IsEmpty;
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr double for_ever = 1e9;
+
+HuntConfig config_of(std::uint64_t cases, std::uint64_t seed = 1) {
+  HuntConfig config;
+  config.cases = cases;
+  config.seed = seed;
+  return config;
+}
+
+/// Half the bound of clusters of more than two lights.
+class HalfBound : public LibraryTree {
+public:
+  using LibraryTree::LibraryTree;
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<HalfBound>(shared_tree());
+  }
+  glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) override {
+    const glm::vec3 bound = LibraryTree::bound(node, point);
+    return tree().node(node).light_count > 2 ? 0.5F * bound : bound;
+  }
+};
+
+/// An infinite bound of the root: all the rest is refined as ever.
+struct InfiniteRoot : LightcutsRules {
+  template <class OneLobe>
+  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
+                         const OneLobe& lobe) {
+    return node == 0 ? glm::vec3(inf) : LightcutsRules::bound(tree, node, point, lobe);
+  }
+};
+
+/// The same with an order that is none, too.
+class WastefulAndWrong : public RulesSubject<InfiniteRoot> {
+public:
+  WastefulAndWrong() : RulesSubject("wasteful and wrong") {}
+  [[nodiscard]] bool refined_before(double, double) const override { return true; }
+};
+
+struct Silent : LibraryTree {
+  using LibraryTree::LibraryTree;
+  glm::vec3 bound(std::uint32_t, const ShadingPoint&) override { throw SubjectFailure("it hung"); }
+};
+
+TEST(Hunt, FindsNothingWrongWithTheLibraryInThousandsOfCases) {
+  const HuntResult result = hunt(*library_subject(), config_of(4000, 2));
+  EXPECT_EQ(result.cases, 4000U);
+  EXPECT_FALSE(result.found) << info(result.found->property).name << " in case "
+                             << result.found->index << ": " << result.found->message;
+  EXPECT_THAT(violated(result.tally), IsEmpty());
+}
+
+// All but what takes many draws.
+TEST(Hunt, AsksTheLibraryForEveryPropertyThatItHas) {
+  const Tally tally = hunt(*library_subject(), config_of(400)).tally;
+  for (std::size_t i = 0; i < property_count; ++i) {
+    const Property p{std::uint8_t(i)};
+    const bool of_sampling =
+        p >= Property::draws_follow_probabilities && p <= Property::stochastic_is_unbiased;
+    const bool of_materials =
+        p == Property::brdf_is_reciprocal || p == Property::brdf_conserves_energy;
+    EXPECT_EQ(tally[p].cases > 0, !of_sampling && !of_materials) << info(p).name;
+  }
+}
+
+TEST(Hunt, FindsWhatIsBrokenAndTellsTheCase) {
+  const MadeSubject subject = subject_with<HalfBound>();
+  const HuntResult result = hunt(subject, config_of(1000));
+  ASSERT_TRUE(result.found);
+  EXPECT_EQ(result.found->property, Property::bound_dominates_contribution);
+  EXPECT_EQ(result.found->index + 1, result.cases);
+  EXPECT_LT(result.cases, 1000U);
+  EXPECT_EQ(text_of(result.found->on), text_of(random_case(1, result.found->index)));
+  EXPECT_EQ(failure_of(subject, result.found->property, result.found->on), result.found->message);
+  EXPECT_EQ(result.tally[result.found->property].first_violation, result.found->message);
+}
+
+TEST(Hunt, FindsTheSameEachTimeHoweverLongItTakes) {
+  const MadeSubject subject = subject_with<HalfBound>();
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const HuntResult once = hunt(subject, config_of(1000, seed));
+    HuntConfig slow = config_of(1000, seed);
+    slow.seconds = for_ever;
+    slow.progress = [](double) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
+    const HuntResult again = hunt(subject, slow);
+    ASSERT_TRUE(once.found && again.found);
+    EXPECT_EQ(once.cases, again.cases);
+    EXPECT_EQ(once.found->message, again.found->message);
+    EXPECT_EQ(text_of(once.found->on), text_of(again.found->on));
+    for (std::size_t i = 0; i < property_count; ++i)
+      EXPECT_EQ(once.tally[Property(i)].cases, again.tally[Property(i)].cases);
+  }
+}
+
+TEST(Hunt, EndsAfterSoManySeconds) {
+  HuntConfig config = config_of(1'000'000'000);
+  config.seconds = 0.05;
+  const HuntResult result = hunt(*library_subject(), config);
+  EXPECT_LT(result.cases, config.cases);
+  EXPECT_GE(result.seconds, config.seconds);
+}
+
+TEST(Hunt, ReportsProgressUpToTheEnd) {
+  double last = 0;
+  HuntConfig config = config_of(20);
+  config.progress = [&](double share) {
+    EXPECT_GT(share, last);
+    last = share;
+  };
+  (void)hunt(*library_subject(), config);
+  EXPECT_EQ(last, 1);
+}
+
+TEST(Hunt, TakesWasteForAFindOnlyWhereAsked) {
+  const auto subject = RulesSubject<InfiniteRoot>("wasteful");
+  HuntConfig config = config_of(300);
+  const HuntResult wasteful = hunt(subject, config);
+  ASSERT_TRUE(wasteful.found);
+  EXPECT_EQ(wasteful.found->property, Property::bound_is_finite);
+  config.waste = false;
+  const HuntResult result = hunt(subject, config);
+  EXPECT_FALSE(result.found) << info(result.found->property).name << ": " << result.found->message;
+  EXPECT_GT(result.tally.wasteful(), 0U);
+  EXPECT_EQ(result.tally.violations(), 0U);
+}
+
+TEST(Hunt, NamesAViolationBeforeWaste) {
+  std::uint64_t wasteful = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const HuntResult result = hunt(WastefulAndWrong(), config_of(100, seed));
+    ASSERT_TRUE(result.found);
+    EXPECT_EQ(result.found->property, Property::refinement_order_is_strict);
+    wasteful += result.tally.wasteful();
+  }
+  EXPECT_GT(wasteful, 0U);
+}
+
+TEST(Hunt, CountsASubjectThatDoesNotAnswer) {
+  const MadeSubject subject = subject_with<Silent>();
+  const HuntResult result = hunt(subject, config_of(100));
+  ASSERT_TRUE(result.found);
+  EXPECT_EQ(result.found->property, Property::subject_answers);
+  EXPECT_EQ(result.found->message, "it hung");
+}
+
+TEST(FailureOf, IsNothingWhereThePropertyHoldsOrTheCaseIsNotValid) {
+  const MadeSubject subject = subject_with<HalfBound>();
+  const Counterexample found = hunt(subject, config_of(1000)).found.value();
+  EXPECT_TRUE(failure_of(subject, found.property, found.on));
+  EXPECT_FALSE(failure_of(*library_subject(), found.property, found.on));
+  EXPECT_FALSE(failure_of(subject, Property::tree_partitions_lights, found.on));
+  Case invalid = found.on;
+  invalid.views[0].view.normal = glm::vec3(0);
+  EXPECT_FALSE(failure_of(subject, found.property, invalid));
+}
+
+TEST(Shrunk, StillFailsAndNothingSimplerDoes) {
+  const MadeSubject subject = subject_with<HalfBound>();
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Counterexample found = hunt(subject, config_of(1000, seed)).found.value();
+    const Counterexample small = shrunk(subject, found, for_ever);
+    EXPECT_EQ(small.property, found.property);
+    EXPECT_EQ(small.index, found.index);
+    EXPECT_EQ(failure_of(subject, small.property, small.on), small.message);
+    for (const Case& c : simpler(small.on))
+      EXPECT_FALSE(failure_of(subject, small.property, c)) << text_of(c);
+    EXPECT_EQ(small.on.lights.size(), 3U); // the fewest of which this subject errs
+    EXPECT_EQ(small.on.views.size(), 1U);
+    EXPECT_THAT(small.on.triangles, IsEmpty());
+    EXPECT_EQ(small.on.seed, 1U);
+  }
+}
+
+TEST(Shrunk, IsWhatWasFoundWhereThereIsNoTime) {
+  const MadeSubject subject = subject_with<HalfBound>();
+  const Counterexample found = hunt(subject, config_of(1000)).found.value();
+  const Counterexample same = shrunk(subject, found, 0);
+  EXPECT_EQ(text_of(same.on), text_of(found.on));
+  EXPECT_EQ(same.message, found.message);
+}
+
+} // namespace
+} // namespace lightcuts::oracle

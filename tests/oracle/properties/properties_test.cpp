@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/properties/properties.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr Property any = Property::cut_obeys_threshold;
+
+struct Event {
+  Property property;
+  bool holds;
+  std::uint64_t place;
+  double ratio;
+};
+
+void record(Tally& tally, const Event& e) {
+  tally.record(e.property, e.holds, e.place, e.ratio, [&] { return std::to_string(e.place); });
+}
+
+// Each place in one part only, as points are dealt out to threads.
+rc::Gen<std::vector<Event>> events(std::uint64_t remainder) {
+  return rc::gen::container<std::vector<Event>>(rc::gen::map(
+      rc::gen::tuple(rc::gen::inRange(0, int(property_count)), rc::gen::arbitrary<bool>(),
+                     rc::gen::inRange<std::uint64_t>(0, 1000), rc::gen::inRange(-1, 5)),
+      [remainder](const auto& t) {
+        return Event{Property(std::get<0>(t)), std::get<1>(t), 2 * std::get<2>(t) + remainder,
+                     double(std::get<3>(t))};
+      }));
+}
+
+bool same(const Tally& a, const Tally& b) {
+  for (std::size_t i = 0; i < property_count; ++i) {
+    const PropertyCount& p = a[Property(i)];
+    const PropertyCount& q = b[Property(i)];
+    if (p.cases != q.cases || p.violations != q.violations || p.worst_ratio != q.worst_ratio ||
+        p.first_place != q.first_place || p.first_violation != q.first_violation)
+      return false;
+  }
+  return true;
+}
+
+std::ostream& operator<<(std::ostream& out, const Event& e) {
+  return out << info(e.property).name << (e.holds ? " holds at " : " fails at ") << e.place;
+}
+
+RC_GTEST_PROP(Tally, MergesInAnyOrder, ()) {
+  Tally a, b;
+  for (const Event& e : *events(0)) record(a, e);
+  for (const Event& e : *events(1)) record(b, e);
+  Tally ab = a, ba = b;
+  ab.merge(b);
+  ba.merge(a);
+  RC_ASSERT(same(ab, ba));
+  RC_ASSERT(ab.violations() == a.violations() + b.violations());
+}
+
+RC_GTEST_PROP(Tally, CountsTheSameInPartsAsInOne, ()) {
+  const auto even = *events(0), odd = *events(1);
+  Tally whole, a, b;
+  for (const Event& e : odd) record(whole, e), record(a, e);
+  for (const Event& e : even) record(whole, e), record(b, e);
+  b.merge(a);
+  RC_ASSERT(same(whole, b));
+}
+
+TEST(Tally, DescribesTheViolationAtTheLowestPlace) {
+  Tally tally;
+  for (const std::uint64_t place : {5, 3, 9}) record(tally, {any, false, place, 1});
+  record(tally, {any, true, 1, 1});
+  EXPECT_EQ(tally[any].first_violation, "3");
+  EXPECT_EQ(tally[any].cases, 4U);
+  EXPECT_EQ(tally[any].violations, 3U);
+}
+
+TEST(Tally, KeepsTheLargestRatio) {
+  Tally tally;
+  EXPECT_LT(tally[any].worst_ratio, 0);
+  for (const double ratio : {no_ratio, 0.5, 2.0, 1.0}) record(tally, {any, true, 1, ratio});
+  EXPECT_EQ(tally[any].worst_ratio, 2);
+}
+
+TEST(RatioOf, IsTheQuotient) {
+  EXPECT_EQ(ratio_of(1, 4), 0.25);
+  EXPECT_EQ(ratio_of(0, 4), 0);
+  EXPECT_EQ(ratio_of(4, std::numeric_limits<long double>::infinity()), 0);
+}
+
+TEST(RatioOf, IsAlwaysANumberThatJsonCanSay) {
+  EXPECT_EQ(ratio_of(0, 0), 0);
+  const long double nan = std::nanl("");
+  for (const auto& [left, right] : {std::pair{1.0L, 0.0L},
+                                    {nan, 1.0L},
+                                    {1.0L, nan},
+                                    {0.0L, nan},
+                                    {1e4000L, 1.0L},
+                                    {1.0L, -1.0L}})
+    EXPECT_EQ(ratio_of(left, right), largest) << left << " / " << right;
+}
+
+TEST(Info, NamesEveryPropertyOnce) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < property_count; ++i) {
+    const PropertyInfo& p = info(Property(i));
+    names.insert(p.name);
+    EXPECT_EQ(std::string(p.statement).back(), '.');
+    EXPECT_NE(std::string(p.formula), "");
+  }
+  EXPECT_EQ(names.size(), property_count);
+  EXPECT_STREQ(info(Property::bound_dominates_contribution).name, "bound-dominates-contribution");
+  EXPECT_STREQ(info(Property::occlusion_equals_brute_force).name, "occlusion-equals-brute-force");
+}
+
+} // namespace
+} // namespace lightcuts::oracle

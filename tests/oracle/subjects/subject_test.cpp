@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/subjects/subject.h>
+
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <lightcuts/core/input_error.h>
+#include <lightcuts/core/methods/paper_rules.h>
+#include <oracle/subjects/rules_subject.h>
+
+#include <tests/oracle/support/judged_point.h>
+#include <tests/oracle/support/small_scene.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+struct DoubledBound : LightcutsRules {
+  template <class OneLobe>
+  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
+                         const OneLobe& lobe) {
+    return 2.0F * LightcutsRules::bound(tree, node, point, lobe);
+  }
+};
+
+const auto second_is_hidden = [](std::uint32_t light) { return light != 1; };
+
+/// Has no part at all.
+struct Mute : SubjectTree {
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<Mute>();
+  }
+  [[nodiscard]] TreeClaim claim() const override { return {}; }
+};
+
+TEST(Parts, HaveNamesAndBitsOfTheirOwn) {
+  std::set<std::string> names;
+  Parts all = 0;
+  for (int i = 0; i < part_count; ++i) {
+    const auto part = Part(1U << unsigned(i));
+    EXPECT_FALSE(has(all, part));
+    all |= only(part);
+    EXPECT_TRUE(has(all, part));
+    names.insert(name_of(part));
+  }
+  EXPECT_EQ(names.size(), std::size_t(part_count));
+}
+
+TEST(SubjectTree, ThrowsWhereItIsAskedForWhatItHasNot) {
+  Mute tree;
+  const ShadingPoint point = diffuse_point();
+  std::vector<glm::vec3> bounds(1);
+  EXPECT_THROW((void)tree.bound(0, point), std::logic_error);
+  EXPECT_THROW(tree.bounds(point, bounds), std::logic_error);
+  EXPECT_THROW((void)tree.lower_bound(0, point), std::logic_error);
+  EXPECT_THROW((void)tree.estimate(0, point, {}), std::logic_error);
+  EXPECT_THROW((void)tree.select(point, {}, second_is_hidden), std::logic_error);
+  EXPECT_THROW((void)tree.sample(0, point, 0.5), std::logic_error);
+  EXPECT_THROW((void)tree.probability(0, point, 0), std::logic_error);
+  EXPECT_EQ(tree.library_tree(), nullptr);
+}
+
+TEST(RulesTree, HasTheBoundsOfItsRules) {
+  const LightTree of = four_lights();
+  RulesTree<DoubledBound> tree(of);
+  std::vector<glm::vec3> all(of.nodes().size());
+  tree.bounds(diffuse_point(), all);
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(all[i], 2.0F * contribution_bound(of, i, diffuse_point(), NoLobe()));
+    EXPECT_EQ(all[i], tree.bound(i, diffuse_point()));
+  }
+}
+
+TEST(RulesTree, SelectsWithItsRulesConfigurationAndVisibility) {
+  const LightTree of = four_lights();
+  RulesTree<DoubledBound> tree(of);
+  for (int again = 0; again < 2; ++again)
+    for (const std::uint32_t size : {3U, 2U}) {
+      const CutConfig config{0.1F, size};
+      BasicCutSelector<DoubledBound> own(of, config);
+      const Cut expected = own(diffuse_point(), second_is_hidden);
+      const Cut cut = tree.select(diffuse_point(), config, second_is_hidden);
+      EXPECT_EQ(cut.radiance, expected.radiance);
+      EXPECT_EQ(cut.certified_error, expected.certified_error);
+      EXPECT_EQ(cut.clusters.size(), size);
+      EXPECT_EQ(cut.shadow_rays, expected.shadow_rays);
+      EXPECT_EQ(cut.end, CutEnd::max_size);
+    }
+}
+
+TEST(RulesTree, RefusesWhatTheSelectorRefuses) {
+  RulesTree<LightcutsRules> tree(four_lights());
+  EXPECT_THROW((void)tree.select(diffuse_point(), {-1, 1}, second_is_hidden), InputError);
+  EXPECT_THROW((void)tree.select(diffuse_point(), {0.02F, 0}, second_is_hidden), InputError);
+}
+
+TEST(RulesTree, AnswersTheSameInAnotherThread) {
+  RulesTree<DoubledBound> tree(four_lights());
+  const auto other = tree.for_another_thread();
+  EXPECT_EQ(other->library_tree(), tree.library_tree());
+  EXPECT_EQ(other->bound(0, diffuse_point()), tree.bound(0, diffuse_point()));
+  const Cut a = tree.select(diffuse_point(), {0.1F, 3}, second_is_hidden);
+  const Cut b = other->select(diffuse_point(), {0.1F, 3}, second_is_hidden);
+  EXPECT_EQ(a.radiance, b.radiance);
+  EXPECT_NE(a.clusters.data(), b.clusters.data());
+}
+
+TEST(LibrarySubject, GivesTheLibrarysOwnAnswers) {
+  const LightTree own = four_lights();
+  const auto subject = library_subject();
+  EXPECT_EQ(subject->name(), "lightcuts");
+  EXPECT_EQ(subject->parts(), RulesSubject<LightcutsRules>::all_parts);
+  const auto tree = subject->build(own.lights(), 1);
+  const ShadingPoint point = diffuse_point();
+  for (std::uint32_t i = 0; i < own.nodes().size(); ++i) {
+    const glm::vec3 bound = contribution_bound(own, i, point, NoLobe());
+    EXPECT_EQ(tree->bound(i, point), bound);
+    EXPECT_EQ(tree->lower_bound(i, point), contribution_lower_bound(own, i, point));
+    EXPECT_EQ(tree->estimate(i, point, bound),
+              LightcutsRules::estimate(own, i, point, NoLobe(), bound));
+  }
+  EXPECT_TRUE(subject->refined_before(2, 1));
+  EXPECT_FALSE(subject->refined_before(1, 1));
+}
+
+TEST(LibrarySubject, TakesTheSeedOfTheTree) {
+  LightSet lights;
+  for (int i = 0; i < 64; ++i) lights.add_omni({i, 0, 1}, glm::vec3(1));
+  const auto representatives = [&](std::uint64_t seed) {
+    std::vector<std::uint32_t> list;
+    for (const auto& n : library_subject()->build(lights, seed)->claim().nodes)
+      list.push_back(n.representative);
+    return list;
+  };
+  EXPECT_EQ(representatives(1), representatives(1));
+  EXPECT_NE(representatives(1), representatives(2));
+}
+
+TEST(LibrarySubject, SeesAndRendersAsTheLibraryDoes) {
+  const Scene scene = shaded_floor_scene(8);
+  const SceneView view(scene);
+  const auto subject = library_subject();
+  const auto point = view.at({8, 6}).value();
+  for (std::uint32_t i = 0; i < 8; ++i)
+    EXPECT_EQ(subject->sees(view, point, i), view.sees(point, i));
+  const LightTree tree = build(scene.lights);
+  EXPECT_EQ(subject->render(view, tree, {}).radiance, render(view, tree, {}).radiance);
+}
+
+TEST(LocallyOrderedSubject, HasTheOtherBuildersTree) {
+  LightSet lights;
+  for (int i = 0; i < 40; ++i) lights.add_omni({i, i * i % 7, 0}, glm::vec3(float(1 + i % 3)));
+  const auto subject = locally_ordered_subject();
+  EXPECT_EQ(subject->name(), "locally-ordered");
+  const LightTree own = build(lights, {7, Builder::locally_ordered});
+  const TreeClaim expected = claim_of(own);
+  const TreeClaim claim = subject->build(lights, 7)->claim();
+  EXPECT_EQ(claim.lights, expected.lights);
+  EXPECT_NE(claim.lights, claim_of(build(lights, {7})).lights);
+}
+
+TEST(PaperSubject, HasThePapersBound) {
+  const LightTree own = four_lights();
+  const auto subject = paper_subject();
+  EXPECT_EQ(subject->name(), "paper");
+  EXPECT_EQ(subject->build(own.lights(), 1)->bound(0, diffuse_point()),
+            PaperRules::bound(own, 0, diffuse_point(), NoLobe()));
+}
+
+} // namespace
+} // namespace lightcuts::oracle

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#include <model/layer_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <tests/viz/support/small_pictures.h>
+
+namespace lightcuts::viz {
+namespace {
+
+using testing::Each;
+using testing::ElementsAre;
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr glm::uvec2 size{32, 24};
+constexpr std::size_t pixels = std::size_t(size.x) * size.y;
+
+/// All that any layer needs, whole.
+const LayerSources& whole() {
+  static const LayerSources sources{made<Frame>(small_key()),
+                                    made<Frame>(small_key(Method::reference)),
+                                    made<TruthPicture>(small_key())};
+  return sources;
+}
+
+double sum(const glm::vec3& v) { return double(v.x) + double(v.y) + double(v.z); }
+
+double difference(const glm::vec3& a, const glm::vec3& b) {
+  return std::abs(double(a.x) - b.x) + std::abs(double(a.y) - b.y) + std::abs(double(a.z) - b.z);
+}
+
+/// The formulas that info() states, written anew.
+double expected(Layer layer, std::size_t i) {
+  const Rendering& v = whole().frame->rendering();
+  const Rendering& r = whole().reference->rendering();
+  const double floor = 3 * double(small_scene()->black_level());
+  const double e = difference(v.radiance[i], r.radiance[i]);
+  const double certified = sum(v.certified_error[i]);
+  switch (layer) {
+  case Layer::cut_size:
+    return v.cut_size[i];
+  case Layer::shadow_rays:
+    return v.shadow_rays[i];
+  case Layer::time:
+    return v.microseconds[i];
+  case Layer::error:
+    return e / std::max(sum(r.radiance[i]), floor);
+  case Layer::certified_error:
+    return certified / std::max(sum(v.radiance[i]), floor);
+  case Layer::slack:
+    return e == 0 ? 0 : certified / e;
+  case Layer::clairvoyant:
+    return whole().truth->clairvoyant()[i];
+  case Layer::violations:
+    return whole().truth->violations()[i];
+  case Layer::image:
+    break;
+  }
+  return nan;
+}
+
+TEST(LayerValues, AreTheirFormulasOfTheRenderings) {
+  for (const Layer layer : all_layers) {
+    if (layer == Layer::image) continue;
+    SCOPED_TRACE(info(layer).name);
+    const LayerValues values = layer_values(layer, whole());
+    ASSERT_EQ(values.values.size(), pixels);
+    EXPECT_EQ(values.size, size);
+    EXPECT_THAT(values.known, Each(1));
+    EXPECT_TRUE(values.image.empty());
+    for (std::size_t i = 0; i < pixels; ++i)
+      ASSERT_FLOAT_EQ(values.values[i], float(expected(layer, i))) << i;
+  }
+}
+
+TEST(LayerValues, HaveMoreThanOneValue) {
+  for (const Layer layer : {Layer::cut_size, Layer::shadow_rays, Layer::error, Layer::slack,
+                            Layer::certified_error, Layer::clairvoyant, Layer::time}) {
+    const LayerStatistics s = statistics_of(layer_values(layer, whole()));
+    EXPECT_LT(s.least, s.largest) << info(layer).name;
+  }
+}
+
+TEST(LayerValues, OfTheImageAreRadianceAndEmission) {
+  const LayerValues values = layer_values(Layer::image, whole());
+  const Rendering& r = whole().frame->rendering();
+  ASSERT_EQ(values.image.size(), pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    ASSERT_EQ(values.image[i], r.radiance[i] + r.emission[i]);
+    ASSERT_EQ(values.surface[i] != 0,
+              small_scene()->view().at({i % size.x, i / size.x}).has_value());
+  }
+}
+
+TEST(LayerValues, SlackIsAtLeastOneWhereThereIsAnError) {
+  const LayerValues slack = layer_values(Layer::slack, whole());
+  const LayerValues error = layer_values(Layer::error, whole());
+  for (std::size_t i = 0; i < pixels; ++i)
+    if (error.values[i] > 0) {
+      EXPECT_GE(slack.values[i], 1);
+    }
+}
+
+TEST(LayerValues, OfTheReferenceHaveNoError) {
+  LayerSources sources = whole();
+  sources.frame = sources.reference;
+  EXPECT_THAT(layer_values(Layer::error, sources).values, Each(0));
+  EXPECT_THAT(layer_values(Layer::slack, sources).values, Each(0));
+}
+
+TEST(LayerValues, ShowTheNearestPixelThatAllPicturesKnow) {
+  for (const bool frame_is_coarse : {true, false}) {
+    LayerSources sources = whole();
+    if (frame_is_coarse)
+      sources.frame = begun<Frame>(small_key());
+    else
+      sources.reference = begun<Frame>(small_key(Method::reference));
+    const LayerValues values = layer_values(Layer::error, sources);
+    EXPECT_THAT(values.known, Each(1));
+    for (std::size_t i = 0; i < pixels; ++i) {
+      const std::size_t x = i % size.x / 16 * 16, y = i / size.x / 16 * 16;
+      ASSERT_FLOAT_EQ(values.values[i], float(expected(Layer::error, y * size.x + x))) << i;
+    }
+  }
+}
+
+TEST(LayerValues, KnowNothingBeforeThereIsAnything) {
+  LayerSources sources = whole();
+  sources.reference = std::make_shared<Frame>(small_key(Method::reference));
+  EXPECT_THAT(layer_values(Layer::error, sources).known, Each(0));
+  EXPECT_THAT(layer_values(Layer::cut_size, sources).known, Each(1)) << "needs none";
+  EXPECT_FALSE(layer_value(Layer::error, sources, {16, 12}));
+  sources.truth = std::make_shared<TruthPicture>(small_key());
+  EXPECT_THAT(layer_values(Layer::violations, sources).known, Each(0));
+  EXPECT_FALSE(layer_value(Layer::violations, sources, {16, 12}));
+}
+
+TEST(LayerValues, GrowTheirVersionWithEveryPictureThatTheyNeed) {
+  LayerSources sources{std::make_shared<Frame>(small_key()),
+                       std::make_shared<Frame>(small_key(Method::reference)),
+                       std::make_shared<TruthPicture>(small_key())};
+  const auto versions = [&] {
+    return std::array{version_of(Layer::image, sources), version_of(Layer::error, sources),
+                      version_of(Layer::clairvoyant, sources)};
+  };
+  const auto fresh = versions();
+  std::const_pointer_cast<Frame>(sources.reference)->advance(never);
+  EXPECT_EQ(versions()[0], fresh[0]);
+  EXPECT_GT(versions()[1], fresh[1]);
+  EXPECT_EQ(versions()[2], fresh[2]);
+  const auto compared = versions();
+  std::const_pointer_cast<Frame>(sources.frame)->advance(never);
+  EXPECT_GT(versions()[0], compared[0]);
+  EXPECT_GT(versions()[1], compared[1]);
+  std::const_pointer_cast<TruthPicture>(sources.truth)->advance(never);
+  EXPECT_GT(versions()[2], compared[2]);
+}
+
+TEST(LayerValue, IsThatOfThePixelItselfOnceItIsKnown) {
+  const auto coarse = begun<Frame>(small_key());
+  const LayerSources sources{coarse, nullptr, nullptr};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const glm::uvec2 pixel{i % size.x, i / size.x};
+    const auto value = layer_value(Layer::cut_size, sources, pixel);
+    EXPECT_EQ(value.has_value(), pixel.x % 16 == 0 && pixel.y % 16 == 0);
+    if (value) {
+      EXPECT_EQ(*value, whole().frame->rendering().cut_size[i]);
+    }
+    const auto error = layer_value(Layer::error, whole(), pixel);
+    ASSERT_TRUE(error);
+    EXPECT_FLOAT_EQ(*error, float(expected(Layer::error, i)));
+  }
+}
+
+TEST(LayerValue, IsNothingWhereNoSurfaceIsSeen) {
+  FrameKey key = small_key();
+  key.camera.position *= 100; // out of the room, with the back to it
+  key.camera.target = 2.0F * key.camera.position;
+  const LayerSources sources{made<Frame>(key), nullptr, made<TruthPicture>(key)};
+  ASSERT_FALSE(sources.frame->view().at({0, 0}));
+  EXPECT_FALSE(layer_value(Layer::cut_size, sources, {0, 0}));
+  EXPECT_FALSE(layer_value(Layer::clairvoyant, sources, {0, 0}));
+  EXPECT_THAT(layer_values(Layer::cut_size, sources).surface, Each(0));
+  EXPECT_THAT(layer_values(Layer::clairvoyant, sources).surface, Each(0));
+}
+
+/// A layer by hand: known pixels that see a surface.
+LayerValues with_values(std::vector<float> values) {
+  LayerValues layer;
+  layer.size = {unsigned(values.size()), 1};
+  layer.known.assign(values.size(), 1);
+  layer.surface.assign(values.size(), 1);
+  layer.values = std::move(values);
+  return layer;
+}
+
+TEST(StatisticsOf, CountOnlyKnownPixelsThatSeeASurface) {
+  LayerValues layer = with_values({0, 2, nan, inf, -inf, 1, 100, 200});
+  layer.known[6] = 0;
+  layer.surface[7] = 0;
+  const LayerStatistics s = statistics_of(layer);
+  EXPECT_EQ(s.known, 6U);
+  EXPECT_EQ(s.nan, 1U);
+  EXPECT_EQ(s.infinite, 2U);
+  EXPECT_EQ(s.least, 0);
+  EXPECT_EQ(s.largest, 2);
+  EXPECT_EQ(s.least_positive, 1);
+  EXPECT_EQ(s.mean, 1);
+}
+
+TEST(StatisticsOf, AreZeroWhereNothingIsFinite) {
+  for (const auto& values : {std::vector<float>{}, {nan, inf}}) {
+    const LayerStatistics s = statistics_of(with_values(values));
+    EXPECT_EQ(s.least, 0);
+    EXPECT_EQ(s.largest, 0);
+    EXPECT_EQ(s.least_positive, 0);
+    EXPECT_EQ(s.mean, 0);
+  }
+}
+
+TEST(AutomaticScale, ShowsAllValues) {
+  const LayerStatistics s = statistics_of(with_values({0.5F, 4, 0, inf}));
+  const HeatMapScale linear = automatic_scale(s, false), log = automatic_scale(s, true);
+  EXPECT_THAT((std::array{linear.lo, linear.hi}), ElementsAre(0, 4));
+  EXPECT_FALSE(linear.logarithmic);
+  EXPECT_THAT((std::array{log.lo, log.hi}), ElementsAre(0.5F, 4));
+  EXPECT_TRUE(log.logarithmic);
+}
+
+TEST(AutomaticScale, IsAScaleWhateverThereIs) {
+  for (const auto& values : {std::vector<float>{}, {0}, {3}, {nan}, {1e-45F}, {3e38F, 1e-45F}})
+    for (const bool logarithmic : {false, true}) {
+      const HeatMapScale scale = automatic_scale(statistics_of(with_values(values)), logarithmic);
+      EXPECT_LT(scale.lo, scale.hi);
+      EXPECT_TRUE(std::isfinite(scale.hi));
+      EXPECT_EQ(scale.logarithmic, logarithmic);
+      EXPECT_TRUE(logarithmic ? scale.lo > 0 : scale.lo == 0) << scale.lo;
+    }
+}
+
+} // namespace
+} // namespace lightcuts::viz

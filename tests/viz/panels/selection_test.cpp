@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <set>
+
+#include <gtest/gtest.h>
+#include <lightcuts/core/cut/cut_selector.h>
+
+#include <tests/viz/support/gui_robot.h>
+
+namespace lightcuts::viz {
+namespace {
+
+/// What CutSelector returns for the pixel.
+std::set<std::uint32_t> cut_by_the_library(Workbench& workbench, glm::uvec2 pixel) {
+  const OpenedScene& scene = *workbench.scene();
+  const auto p = scene.view().at(pixel);
+  const CutConfig config{0.02F, default_max_cut, scene.black_level(), !scene.view().may_occlude()};
+  CutSelector select(*scene.tree(), config);
+  const Cut cut = select(p->point, [&](std::uint32_t i) { return scene.view().sees(*p, i); });
+  std::set<std::uint32_t> nodes;
+  for (const CutCluster& c : cut.clusters) nodes.insert(c.node);
+  return nodes;
+}
+
+std::set<std::uint32_t> cut_shown(Workbench& workbench) {
+  std::set<std::uint32_t> nodes;
+  for (const ClusterRow& row : workbench.inspection()->inspection.clusters) nodes.insert(row.node);
+  return nodes;
+}
+
+TEST(GuiSelection, ClickedPixelShowsTheCutThatTheLibraryPicks) {
+  Robot robot(small_room());
+  for (const glm::uvec2 pixel : {glm::uvec2(20, 30), glm::uvec2(50, 12), glm::uvec2(0, 47)}) {
+    robot.click(robot.on_screen(pixel));
+    ASSERT_EQ(robot.state().pixel, pixel);
+    robot.settle();
+    ASSERT_TRUE(robot.workbench().inspection());
+    const Inspection& inspection = robot.workbench().inspection()->inspection;
+    EXPECT_EQ(cut_shown(robot.workbench()), cut_by_the_library(robot.workbench(), pixel));
+    EXPECT_GT(inspection.clusters.size(), 3U);
+    // And the picture's pixel is that cut's.
+    const auto frame = robot.workbench().sources(Method::lightcuts, Layer::image).frame;
+    EXPECT_EQ(frame->rendering().radiance[pixel.y * 64 + pixel.x], inspection.radiance);
+    EXPECT_TRUE(inspection.truth);
+  }
+}
+
+TEST(GuiSelection, ArrowsMoveThePixelAndEscapeLetsGo) {
+  Robot robot(small_room());
+  robot.click(robot.on_screen({20, 30}));
+  robot.press(GLFW_KEY_RIGHT);
+  robot.press(GLFW_KEY_UP);
+  EXPECT_EQ(robot.state().pixel, glm::uvec2(21, 29));
+  robot.hold(GLFW_KEY_LEFT_SHIFT, true);
+  robot.press(GLFW_KEY_LEFT);
+  robot.hold(GLFW_KEY_LEFT_SHIFT, false);
+  EXPECT_EQ(robot.state().pixel, glm::uvec2(11, 29));
+  for (int i = 0; i < 20; ++i) robot.press(GLFW_KEY_LEFT);
+  EXPECT_EQ(robot.state().pixel, glm::uvec2(0, 29)); // no farther than the edge
+  robot.press(GLFW_KEY_ESCAPE);
+  EXPECT_FALSE(robot.state().pixel);
+}
+
+TEST(GuiSelection, StepsThroughRefinementsAndBack) {
+  Robot robot(small_room());
+  robot.click(robot.on_screen({20, 30}));
+  robot.settle();
+  const auto last = robot.workbench().inspection()->inspection.final_size;
+  ASSERT_GT(last, 5U);
+  for (int i = 0; i < 3; ++i) {
+    robot.press(',');
+    robot.settle();
+  }
+  EXPECT_EQ(robot.state().step, last - 3);
+  const Inspection& step = robot.workbench().inspection()->inspection;
+  ASSERT_EQ(step.clusters.size(), last - 3);
+  ASSERT_TRUE(step.refined_next);
+  const std::uint32_t refined = *step.refined_next;
+  EXPECT_EQ(cut_shown(robot.workbench()).count(refined), 1U);
+  robot.press('.');
+  robot.settle();
+  EXPECT_EQ(cut_shown(robot.workbench()).count(refined), 0U);
+  robot.press('.');
+  robot.press('.');
+  EXPECT_FALSE(robot.state().step);
+}
+
+TEST(GuiSelection, ClusterClickedInTheTreeIsSelectedEverywhere) {
+  Robot robot(small_room());
+  robot.click(robot.on_screen({20, 30}));
+  robot.settle();
+  // The root is the topmost block of the icicle, over all of its width: in the left lower part.
+  const ScreenArea area = robot.app().image().area();
+  bool found = false;
+  for (double y = area.origin.y + area.size.y + 20; y < 800 && !found; y += 6) {
+    robot.click({area.origin.x + 200, y});
+    found = robot.state().node == 0U;
+  }
+  EXPECT_TRUE(found);
+  const auto row = robot.workbench().selected_row();
+  ASSERT_TRUE(row);
+  EXPECT_EQ(row->lights, 300U);
+}
+
+} // namespace
+} // namespace lightcuts::viz
