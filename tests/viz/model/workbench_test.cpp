@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/workbench.h>
+#include <viz/model/workbench.h>
 
 #include <chrono>
 #include <thread>

@@ -5,7 +5,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <model/opened_scene.h>
+#include <viz/model/scene/opened_scene.h>
 #include <oracle/cases/counterexample_json.h>
 #include <oracle/subjects/subjects.h>
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include <model/picture.h>
+#include <viz/model/picture/picture.h>
 
 namespace lightcuts::viz {
 

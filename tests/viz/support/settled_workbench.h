@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <model/workbench.h>
+#include <viz/model/workbench.h>
 
 #include <tests/viz/support/small_pictures.h>
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <thread>
 
-#include <model/frame.h>
-#include <model/opened_scene.h>
+#include <viz/model/picture/frame.h>
+#include <viz/model/scene/opened_scene.h>
 
 namespace lightcuts::viz {
 

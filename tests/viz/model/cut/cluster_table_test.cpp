@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/cluster_table.h>
+#include <viz/model/cut/cluster_table.h>
 
 #include <limits>
 

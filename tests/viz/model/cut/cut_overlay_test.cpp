@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/cut_overlay.h>
+#include <viz/model/cut/cut_overlay.h>
 
 #include <algorithm>
 #include <limits>

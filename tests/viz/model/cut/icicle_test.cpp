@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/icicle.h>
+#include <viz/model/cut/icicle.h>
 
 #include <algorithm>
 #include <chrono>

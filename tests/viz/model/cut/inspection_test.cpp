@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/inspection.h>
+#include <viz/model/cut/inspection.h>
 
 #include <algorithm>
 #include <cmath>

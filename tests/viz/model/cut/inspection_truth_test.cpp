@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <model/inspection.h>
+#include <viz/model/cut/inspection.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <model/truth_picture.h>
+#include <viz/model/picture/truth_picture.h>
 #include <oracle/truth/truth.h>
 
 #include <tests/viz/support/small_pictures.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/colouring.h>
+#include <viz/model/layers/colouring.h>
 
 #include <cmath>
 #include <limits>

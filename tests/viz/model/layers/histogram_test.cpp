@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/histogram.h>
+#include <viz/model/layers/histogram.h>
 
 #include <algorithm>
 #include <cmath>

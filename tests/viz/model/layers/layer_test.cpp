@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/layer.h>
+#include <viz/model/layers/layer.h>
 
 #include <set>
 #include <string>

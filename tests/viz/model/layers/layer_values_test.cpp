@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/layer_values.h>
+#include <viz/model/layers/layer_values.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/value_text.h>
+#include <viz/model/layers/value_text.h>
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/display_method.h>
+#include <viz/model/picture/display_method.h>
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/frame.h>
+#include <viz/model/picture/frame.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/image_view.h>
+#include <viz/model/picture/image_view.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/picture_queue.h>
+#include <viz/model/picture/picture_queue.h>
 
 #include <atomic>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/picture.h>
+#include <viz/model/picture/picture.h>
 
 #include <algorithm>
 #include <atomic>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/truth_picture.h>
+#include <viz/model/picture/truth_picture.h>
 
 #include <algorithm>
 

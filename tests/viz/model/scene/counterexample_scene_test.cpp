@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/counterexample_scene.h>
+#include <viz/model/scene/counterexample_scene.h>
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/opened_scene.h>
+#include <viz/model/scene/opened_scene.h>
 
 #include <algorithm>
 

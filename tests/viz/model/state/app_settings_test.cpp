@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/app_settings.h>
+#include <viz/model/state/app_settings.h>
 
 #include <cstdlib>
 #include <optional>

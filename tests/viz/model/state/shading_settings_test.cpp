@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/shading_settings.h>
+#include <viz/model/state/shading_settings.h>
 
 #include <gtest/gtest.h>
 #include <lightcuts/core/cut/stochastic_cut.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <model/view_state.h>
+#include <viz/model/state/view_state.h>
 
 #include <nlohmann/json.hpp>
 
