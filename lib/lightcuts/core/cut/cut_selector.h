@@ -16,6 +16,7 @@
 #include <lightcuts/core/kernels/error_bound.h>
 #include <lightcuts/core/kernels/features.h>
 #include <lightcuts/core/numerics/rounding.h>
+#include <lightcuts/core/records/fields.h>
 #include <lightcuts/core/tree/light_tree.h>
 
 namespace lightcuts {
@@ -28,6 +29,13 @@ struct CutConfig {
   /// error, which has lower bounds then, is smaller; default false
   bool unoccluded = false;
 
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("threshold", &CutConfig::threshold, domain::not_negative);
+    field("max_size", &CutConfig::max_size, domain::within(1, 0xffffffff));
+    field("black_level", &CutConfig::black_level, domain::not_negative);
+    field("unoccluded", &CutConfig::unoccluded);
+  }
   bool operator==(const CutConfig&) const = default;
 };
 

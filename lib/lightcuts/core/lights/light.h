@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include <glm/vec3.hpp>
+#include <lightcuts/core/records/fields.h>
 
 namespace lightcuts {
 
@@ -17,6 +19,9 @@ enum class LightKind : std::uint8_t {
   directional ///< intensity, whatever the distance: so far away that all its rays are parallel
 };
 inline constexpr int light_kind_count = 4;
+[[nodiscard]] constexpr std::array<const char*, light_kind_count> names_of(LightKind /*any*/) {
+  return {"omni", "oriented", "spot", "directional"};
+}
 
 /// A set of kinds: bit k stands for LightKind(k).
 using LightKinds = unsigned;
@@ -35,6 +40,22 @@ struct Light {
   float cos_inner = 1;    ///< of a spot: full intensity within, at least cos_outer + 2^-11
   float cos_outer = -1;   ///< of a spot: nothing beyond
 
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("kind", &Light::kind);
+    field("position", &Light::position, [](const Light& light) {
+      return light.kind == LightKind::directional ? domain::unit : domain::any;
+    });
+    field("intensity", &Light::intensity, domain::not_negative);
+    field("axis", &Light::axis, [](const Light& light) {
+      return (only(light.kind) & kinds_with_axis) != 0 ? domain::unit : domain::absent;
+    });
+    const auto cosine = [](const Light& light) {
+      return light.kind == LightKind::spot ? domain::within(-1, 1) : domain::absent;
+    };
+    field("cos_inner", &Light::cos_inner, cosine);
+    field("cos_outer", &Light::cos_outer, cosine);
+  }
   bool operator==(const Light&) const = default;
 };
 

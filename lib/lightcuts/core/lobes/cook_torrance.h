@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <glm/vec3.hpp>
+#include <lightcuts/core/records/fields.h>
 #include <lightcuts/core/shading/box_sight.h>
 #include <lightcuts/core/shading/sight.h>
 
@@ -21,11 +22,18 @@ namespace lightcuts {
 /// scattered between the facets is lost: with f0 = alpha = 1, 69 % of the light that comes along
 /// the normal.
 struct CookTorrance {
+  static constexpr const char* name = "cook-torrance";
   static constexpr float min_alpha = 0x1p-14F;
 
   glm::vec3 f0{0};    ///< reflectance at normal incidence, in [0, 1]
   float alpha = 0.5F; ///< width of the distribution of normals, in [min_alpha, 1]; glTF's
                       ///< roughness squared
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("f0", &CookTorrance::f0, domain::within(0, 1));
+    field("alpha", &CookTorrance::alpha, domain::within(min_alpha, 1));
+  }
 
   /// Throws InputError, naming the field, where a value lies outside the domain given above.
   void validate() const;

@@ -12,14 +12,18 @@ namespace lightcuts {
 
 /// Of a surface that is diffuse only.
 struct NoLobe {
+  static constexpr const char* name = "none";
+  template <class Visitor>
+  static constexpr void fields(Visitor&& /*field*/) {}
+
   void validate() const {}
   [[nodiscard]] glm::dvec3 evaluate(const Sight& /*sight*/) const { return glm::dvec3(0); }
   [[nodiscard]] glm::dvec3 bound(const BoxSight& /*box*/) const { return glm::dvec3(0); }
   bool operator==(const NoLobe&) const = default;
 };
 
-/// The glossy lobes there are. A new one is a type with validate(), evaluate() (f, 1/sr per
-/// channel) and bound() (of f n.l falloff over a box), in a file of its own and in this line.
+/// The glossy lobes there are. A new one is a record with a name, validate(), evaluate() (f, 1/sr
+/// per channel) and bound() (of f n.l falloff over a box), in a file of its own and in this line.
 using Lobe = std::variant<NoLobe, Phong, Ward, CookTorrance>;
 
 /// How a surface reflects: f(l) = diffuse/pi + lobe(l), 1/sr per channel. Energy is conserved where
@@ -30,6 +34,11 @@ struct Material {
   glm::vec3 diffuse{0}; ///< reflectance, >= 0
   Lobe lobe;
 
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("diffuse", &Material::diffuse, domain::not_negative);
+    field("lobe", &Material::lobe, domain::optional);
+  }
   [[nodiscard]] bool is_glossy() const { return !std::holds_alternative<NoLobe>(lobe); }
   bool operator==(const Material&) const = default;
 };

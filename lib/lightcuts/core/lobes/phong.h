@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 #include <lightcuts/core/numerics/rounding.h>
+#include <lightcuts/core/records/fields.h>
 #include <lightcuts/core/shading/box_sight.h>
 #include <lightcuts/core/shading/sight.h>
 
@@ -15,10 +16,17 @@ namespace lightcuts {
 /// r being the viewer's direction mirrored at the normal. With reflectance 1 it reflects all light
 /// that comes along the normal, and less of other light.
 struct Phong {
+  static constexpr const char* name = "phong";
   static constexpr float max_exponent = 0x1p20F;
 
   glm::vec3 reflectance{0}; ///< >= 0; energy is conserved up to 1
   float exponent = 0;       ///< in [0, max_exponent]
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("reflectance", &Phong::reflectance, domain::not_negative);
+    field("exponent", &Phong::exponent, domain::within(0, max_exponent));
+  }
 
   /// Throws InputError, naming the field, where a value lies outside the domain given above.
   void validate() const;

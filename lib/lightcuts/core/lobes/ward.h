@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 #include <lightcuts/core/numerics/exponential.h>
+#include <lightcuts/core/records/fields.h>
 #include <lightcuts/core/shading/box_sight.h>
 #include <lightcuts/core/shading/sight.h>
 
@@ -18,10 +19,17 @@ namespace lightcuts {
 /// by this definition, more than all of it near the horizon: nowhere with n.v above 0.0046 (within
 /// 89.73 degrees of the normal), and up to min(0.068, 0.37 alpha^1.5) / sqrt(n.v) beyond.
 struct Ward {
+  static constexpr const char* name = "ward";
   static constexpr float min_alpha = 0x1p-14F;
 
   glm::vec3 reflectance{0}; ///< >= 0; energy is conserved up to 1, but see above
   float alpha = 0.1F;       ///< standard deviation of the surface's slope, in [min_alpha, 1]
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("reflectance", &Ward::reflectance, domain::not_negative);
+    field("alpha", &Ward::alpha, domain::within(min_alpha, 1));
+  }
 
   /// Throws InputError, naming the field, where a value lies outside the domain given above.
   void validate() const;

@@ -47,6 +47,13 @@ struct Camera {
   glm::vec3 up{0, 1, 0};
   float vertical_fov = 45; ///< degrees, in (0, 180)
 
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("position", &Camera::position);
+    field("target", &Camera::target);
+    field("up", &Camera::up);
+    field("vertical_fov", &Camera::vertical_fov);
+  }
   bool operator==(const Camera&) const = default;
 };
 
