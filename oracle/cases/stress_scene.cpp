@@ -280,10 +280,9 @@ std::ostream& operator<<(std::ostream& out, const Scene& scene) {
   out << std::setprecision(9) << scene.view;
   if (scene.min_distance > 0) out << "\nmin_distance " << Number{scene.min_distance};
   for (const Light& light : scene.lights) {
-    constexpr const char* kinds[] = {"omni", "oriented", "spot", "directional"};
-    show(out << "\n" << kinds[int(light.kind)] << " light: ", "position", light.position);
+    show(out << "\n" << name_of(light.kind) << " light: ", "position", light.position);
     show(out, "intensity", light.intensity);
-    if ((only(light.kind) & kinds_with_axis) != 0) show(out, "axis", light.axis);
+    if (has_axis(light.kind)) show(out, "axis", light.axis);
     if (light.kind == LightKind::spot)
       out << "cosines " << Number{light.cos_inner} << " " << Number{light.cos_outer};
   }

@@ -39,13 +39,13 @@ Facts facts_of(const Scene& scene, const CommonOptions& options) {
 
 /// "216 omni, 2000 oriented".
 std::string lights_by_kind(const LightSet& lights) {
-  constexpr const char* names[] = {"omni", "oriented", "spot", "directional"};
   std::size_t counts[light_kind_count] = {};
   for (const Light& light : lights) ++counts[static_cast<int>(light.kind)];
   std::string text;
   for (int kind = 0; kind < light_kind_count; ++kind)
     if (counts[kind] > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[kind], names[kind]);
+      text +=
+          fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[kind], name_of(LightKind(kind)));
   return text.empty() ? "none" : text;
 }
 

@@ -40,7 +40,7 @@ ExactVector brdf(const ShadingPoint& point, const radiometry::Way<Exact>& way) {
 
 /// 1/max(|q|^2, least^2); 1 for a directional light.
 Exact falloff(const Light& light, const radiometry::Way<Exact>& way, float min_distance) {
-  if (light.kind == LightKind::directional) return 1;
+  if (is_at_infinity(light.kind)) return 1;
   const Exact least2 = Exact(min_distance) * Exact(min_distance);
   return 1 / (way.distance2 < least2 ? least2 : way.distance2);
 }
@@ -52,8 +52,7 @@ std::string exact_line(const std::string& name, const Exact& value, const char* 
 /// Where it shines.
 std::string axis_text(const Light& light) {
   std::string text;
-  if ((only(light.kind) & kinds_with_axis) != 0)
-    text += line("  axis", oracle::text_of(light.axis));
+  if (has_axis(light.kind)) text += line("  axis", oracle::text_of(light.axis));
   if (light.kind == LightKind::spot)
     text += line("  cosines of rims",
                  fmt::format("{:.9g} and {:.9g}", light.cos_inner, light.cos_outer));
@@ -66,7 +65,7 @@ std::string light_text(const PointCase& at, std::uint32_t index) {
   const radiometry::Way<Exact> way(at.point, light);
   std::string text =
       fmt::format("  light {}{}: {} {} {}\n", index, at.visible[index] == 0 ? " (hidden)" : "",
-                  name_of(light.kind), light.kind == LightKind::directional ? "towards" : "at",
+                  name_of(light.kind), is_at_infinity(light.kind) ? "towards" : "at",
                   oracle::text_of(light.position));
   text += line("  intensity", oracle::text_of(light.intensity)) + axis_text(light);
   text += line("  q", text_of(way.q));
@@ -75,7 +74,7 @@ std::string light_text(const PointCase& at, std::uint32_t index) {
     return text + exact_line("n.l", way.n_dot_l, "not above the horizon: contributes 0");
   text += exact_line("n.l", way.n_dot_l);
   text += exact_line("falloff", falloff(light, way, min_distance),
-                     light.kind == LightKind::directional ? "" : "1/max(|q|^2, least distance^2)");
+                     is_at_infinity(light.kind) ? "" : "1/max(|q|^2, least distance^2)");
   text += exact_line("emission", radiometry::emission<Exact>(light, at.point, way.distance));
   const ExactVector f = brdf(at.point, way);
   text += row_of("  BRDF", [&](int c) { return oracle::text_of(f[std::size_t(c)]); });
@@ -164,7 +163,7 @@ std::string box_and_suprema(const LightTree& tree, std::uint32_t node, const Sha
   std::string text = fmt::format("the box of {} {} light{}, and suprema over it\n", n.light_count,
                                  name_of(n.kind()), n.light_count == 1 ? "" : "s");
   text += line("box from", oracle::text_of(n.box.lo)) + line("to", oracle::text_of(n.box.hi));
-  if (n.kind() != LightKind::directional)
+  if (!is_at_infinity(n.kind()))
     text += number_line("min |q|", std::sqrt(min_distance2(from, n.box)),
                         min_distance2(from, n.box) == 0 ? "the point is in the box" : "");
   text += number_line("max n.l falloff", sup.max_cosine_falloff, "both factors in one");

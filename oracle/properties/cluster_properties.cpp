@@ -164,7 +164,7 @@ bool may_be_infinite(const PointCase& at, std::uint32_t node, int channel) {
   for (std::size_t kind = 0; kind < light_kind_count; ++kind) {
     if (intensity[kind] == 0) continue;
     double nearest2 = 1;
-    if (LightKind(kind) != LightKind::directional)
+    if (!is_at_infinity(LightKind(kind)))
       nearest2 =
           std::max(lightcuts::min_distance2(at.point.position(), boxes[kind]), min_distance2);
     if (nearest2 == 0) return true;

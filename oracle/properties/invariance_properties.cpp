@@ -65,7 +65,7 @@ bool brighten(Setting& s, float factor) {
 bool enlarge(Setting& s) {
   bool exact = scale(s.min_distance, 4) && scale(s.view.position, 4);
   for (Light& light : s.lights)
-    if (light.kind != LightKind::directional)
+    if (!is_at_infinity(light.kind))
       exact = exact && scale(light.position, 4) && scale(light.intensity, 16);
   return exact;
 }
@@ -92,7 +92,7 @@ bool shift(Setting& s) {
   };
   bool exact = shifted(s.view.position);
   for (Light& light : s.lights)
-    if (light.kind != LightKind::directional) exact = shifted(light.position) && exact;
+    if (!is_at_infinity(light.kind)) exact = shifted(light.position) && exact;
   return exact;
 }
 
@@ -145,7 +145,7 @@ public:
       : subject_(subject), setting_(setting), seed_(seed), place_(place), tally_(tally),
         before_(answer(subject, setting, seed)) {
     for (const Light& light : setting.lights) {
-      clusters_matter_ = clusters_matter_ || (only(light.kind) & kinds_with_axis) != 0;
+      clusters_matter_ = clusters_matter_ || has_axis(light.kind);
       mixed_ = mixed_ || light.kind != setting.lights.front().kind;
     }
   }

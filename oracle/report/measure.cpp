@@ -216,9 +216,8 @@ void describe_features(const SceneView& view, const SceneFeatures& features, flo
     (is_needed ? needed : left_out).push_back(text);
   };
   std::vector<std::string> kinds[2]; // those there are not, and those there are
-  constexpr const char* names[] = {"omni", "oriented", "spot", "directional"};
   for (int k = 0; k < light_kind_count; ++k)
-    kinds[(features.kinds & only(LightKind(k))) != 0].emplace_back(names[k]);
+    kinds[(features.kinds & only(LightKind(k))) != 0].emplace_back(name_of(LightKind(k)));
   for (const bool there : {true, false})
     if (!kinds[there].empty())
       say(there, fmt::format("{} lights{}", fmt::join(kinds[there], ", "),

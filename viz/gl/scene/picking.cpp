@@ -44,7 +44,7 @@ std::optional<std::size_t> pick_point(const ViewFrame& frame, glm::uvec2 size,
 }
 
 glm::dvec3 shown_position(const Light& light, const Box& scene) {
-  if (light.kind != LightKind::directional) return light.position;
+  if (!is_at_infinity(light.kind)) return light.position;
   const double diagonal = diagonal_length(scene);
   if (diagonal == 0) return light.position;
   return 0.5 * (glm::dvec3(scene.lo) + glm::dvec3(scene.hi)) +

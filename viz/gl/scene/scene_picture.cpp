@@ -50,7 +50,7 @@ std::vector<ColouredPoint> light_points(const Scene& scene, const Box& bounds) {
 
 Box bounds_with_lights(Box box, const LightSet& lights) {
   for (const Light& light : lights)
-    if (light.kind != LightKind::directional) box.extend(light.position);
+    if (!is_at_infinity(light.kind)) box.extend(light.position);
   return box;
 }
 

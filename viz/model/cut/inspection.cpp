@@ -77,7 +77,7 @@ double distance_to(const Box& box, const glm::vec3& from) {
 
 /// Of a directional light, a point on the way to it.
 glm::vec3 shown_at(const Light& light, const glm::vec3& from) {
-  return light.kind == LightKind::directional ? from + light.position : light.position;
+  return is_at_infinity(light.kind) ? from + light.position : light.position;
 }
 
 /// The box of all lights below, whatever tree it is.
@@ -85,12 +85,12 @@ void add_geometry(const OpenedScene& scene, const glm::vec3& from, ClusterRow& r
   if (row.representative != oracle::TreeClaim::unsaid) {
     const Light& light = scene.scene().lights[row.representative];
     row.representative_position = shown_at(light, from);
-    if (light.kind == LightKind::directional) return;
+    if (is_at_infinity(light.kind)) return;
     row.distance = glm::distance(glm::dvec3(light.position), glm::dvec3(from));
   }
   Box box = Box::empty();
   for (const std::uint32_t light : scene.topology().all_lights(row.node)) {
-    if (scene.scene().lights[light].kind == LightKind::directional) return;
+    if (is_at_infinity(scene.scene().lights[light].kind)) return;
     box.lo = glm::min(box.lo, scene.scene().lights[light].position);
     box.hi = glm::max(box.hi, scene.scene().lights[light].position);
   }
@@ -103,7 +103,7 @@ void add_geometry(const OpenedScene& scene, const glm::vec3& from, ClusterRow& r
 void add_library_box(const LightTree& tree, const glm::vec3& from, ClusterRow& row) {
   const TreeNode& node = tree.node(row.node);
   row.representative_position = shown_at(tree.lights()[node.representative], from);
-  if (node.is_mixed() || node.kind() == LightKind::directional) return;
+  if (node.is_mixed() || is_at_infinity(node.kind())) return;
   row.box = node.box;
   row.has_box = true;
   row.distance = distance_to(node.box, from);

@@ -18,7 +18,7 @@ constexpr float farthest = 1e15F;
 float half_side(const oracle::Case& on, const glm::vec3& at) {
   double nearest = 1e30;
   for (const Light& light : on.lights)
-    if (light.kind != LightKind::directional)
+    if (!is_at_infinity(light.kind))
       if (const double d = glm::distance(glm::dvec3(light.position), glm::dvec3(at)); d > 0)
         nearest = std::min(nearest, d);
   if (nearest == 1e30) nearest = 1;

@@ -29,6 +29,15 @@ using LightKinds = unsigned;
 inline constexpr LightKinds all_light_kinds = (1U << unsigned(light_kind_count)) - 1;
 inline constexpr LightKinds kinds_with_axis = only(LightKind::oriented) | only(LightKind::spot);
 
+/// Whether Light::axis counts.
+[[nodiscard]] constexpr bool has_axis(LightKind kind) {
+  return (only(kind) & kinds_with_axis) != 0;
+}
+/// Whether Light::position is a direction, from which light comes in parallel rays.
+[[nodiscard]] constexpr bool is_at_infinity(LightKind kind) {
+  return kind == LightKind::directional;
+}
+
 /// A light without extent. Its floats are taken as exact real numbers; the length of a direction is
 /// divided out wherever it is used.
 struct Light {
@@ -44,12 +53,11 @@ struct Light {
   static constexpr void fields(Visitor&& field) {
     field("kind", &Light::kind);
     field("position", &Light::position, [](const Light& light) {
-      return light.kind == LightKind::directional ? domain::unit : domain::any;
+      return is_at_infinity(light.kind) ? domain::unit : domain::any;
     });
     field("intensity", &Light::intensity, domain::not_negative);
-    field("axis", &Light::axis, [](const Light& light) {
-      return (only(light.kind) & kinds_with_axis) != 0 ? domain::unit : domain::absent;
-    });
+    field("axis", &Light::axis,
+          [](const Light& light) { return has_axis(light.kind) ? domain::unit : domain::absent; });
     const auto cosine = [](const Light& light) {
       return light.kind == LightKind::spot ? domain::within(-1, 1) : domain::absent;
     };
@@ -59,9 +67,9 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
-/// From where a light is looked at: a directional light lies at its direction as seen from 0.
+/// From where a light is looked at: one at infinity lies at its direction as seen from 0.
 [[nodiscard]] constexpr glm::vec3 viewed_from(LightKind kind, const glm::vec3& x) {
-  return kind == LightKind::directional ? glm::vec3(0) : x;
+  return is_at_infinity(kind) ? glm::vec3(0) : x;
 }
 
 } // namespace lightcuts

@@ -49,7 +49,7 @@ struct PointsToTest {
       for (int i = 0; i < 3; ++i) points.emplace_back(mesh.positions[t[i]]);
     Box near = Box::empty(), far = Box::empty();
     for (const Light& light : lights)
-      (light.kind == LightKind::directional ? far : near).extend(light.position);
+      (is_at_infinity(light.kind) ? far : near).extend(light.position);
     if (near != Box::empty())
       for (const glm::dvec3& p : corners(near)) points.push_back(p);
     if (far != Box::empty()) at_infinity = corners(far);

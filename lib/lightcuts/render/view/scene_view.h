@@ -54,7 +54,7 @@ public:
   /// The shadow ray for that: to a directional light, out of the scene.
   [[nodiscard]] ShadowRay ray_to(const VisiblePoint& from, std::uint32_t light) const {
     const Light& l = scene_->lights[light];
-    if (l.kind == LightKind::directional) return {from.ray_origin, l.position, out_of_scene_};
+    if (is_at_infinity(l.kind)) return {from.ray_origin, l.position, out_of_scene_};
     return shadow_ray(from.ray_origin, l.position);
   }
 
