@@ -87,6 +87,26 @@ public:
     }
   }
 
+  /// From a point towards another, past it at a right angle, or anywhere.
+  glm::vec3 direction(const glm::vec3& from, const glm::vec3& to) {
+    const glm::dvec3 d = glm::dvec3(to) - glm::dvec3(from);
+    const double length = glm::length(d);
+    if (!(length > 1e-30) || one_in(2)) return unit_vector();
+    const glm::dvec3 unit = d / length;
+    if (one_in(2)) return glm::vec3(unit);
+    const glm::dvec3 side = glm::cross(unit, glm::dvec3(unit_vector()));
+    return glm::length(side) > 1e-6 ? glm::vec3(glm::normalize(side)) : glm::vec3(unit);
+  }
+
+  static glm::vec3 not_negative(const glm::vec3& v) {
+    return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+  }
+  /// Per channel, mostly at most 1.
+  glm::vec3 reflectance() {
+    if (one_in(10)) return not_negative(finite_vector());
+    return one_in(3) ? glm::vec3(0.5F) : not_negative(in_cube());
+  }
+
 private:
   static glm::vec3 normalised(const glm::dvec3& v) {
     const double length = glm::length(v);

@@ -8,6 +8,8 @@
 #include <variant>
 
 #include <oracle/cases/dice.h>
+#include <oracle/truth/kinds.h>
+#include <oracle/truth/lobes.h>
 
 namespace lightcuts::gen {
 namespace {
@@ -84,17 +86,15 @@ glm::vec3 position(Dice& dice, Place place, const View& view, const glm::vec3& a
   }
 }
 
-glm::vec3 not_negative(const glm::vec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
-
 glm::vec3 intensity(Dice& dice, int kind) {
   glm::vec3 v(0);
   switch (kind) {
   case 0:
     return glm::vec3(1);
   case 1:
-    return not_negative(dice.in_cube());
+    return Dice::not_negative(dice.in_cube());
   case 2:
-    return not_negative(dice.finite_vector());
+    return Dice::not_negative(dice.finite_vector());
   case 3:
     v[dice.below(3)] = 1;
     return v;
@@ -105,42 +105,13 @@ glm::vec3 intensity(Dice& dice, int kind) {
   }
 }
 
-glm::vec3 reflectance(Dice& dice) {
-  if (dice.one_in(10)) return not_negative(dice.finite_vector());
-  return dice.one_in(3) ? glm::vec3(0.5F) : not_negative(dice.in_cube());
-}
-
-float exponent(Dice& dice) {
-  return dice.one_in(2) ? dice.pick({0.0F, 1.0F, 10.0F, 1000.0F, 0x1p20F, 0.5F, 2.75F})
-                        : std::min(std::abs(dice.log_uniform(-3, 6.03)), 0x1p20F);
-}
-
-float alpha(Dice& dice) {
-  return dice.one_in(2) ? dice.pick({0x1p-14F, 1.0F, 0.1F, 0.5F, 1e-3F})
-                        : std::clamp(std::abs(dice.log_uniform(-4.2, 0)), 0x1p-14F, 1.0F);
-}
-
-Lobe lobe(Dice& dice, std::size_t index) {
-  switch (index) {
-  case 1:
-    return Phong{reflectance(dice), exponent(dice)};
-  case 2:
-    return Ward{reflectance(dice), alpha(dice)};
-  case 3: {
-    const glm::vec3 f0 = dice.one_in(3) ? glm::vec3(0.04F) : not_negative(dice.in_cube());
-    return CookTorrance{dice.one_in(6) ? glm::vec3(0, 1, 0x1p-149F) : f0, alpha(dice)};
-  }
-  default:
-    return NoLobe{};
-  }
-}
-
 Material material(Dice& dice, const Choice& choice) {
   const std::size_t index =
       choice.lobe ? *choice.lobe : std::size_t(dice.below(int(std::variant_size_v<Lobe>)));
   const int which = dice.below(8);
   if (which == 0 && !choice.lobe) return {};
-  return {which == 1 ? glm::vec3(0) : reflectance(dice), lobe(dice, index)};
+  return {which == 1 ? glm::vec3(0) : dice.reflectance(),
+          oracle::radiometry::random_lobe(dice, index)};
 }
 
 /// A light's position, or one that takes each coordinate from some light: on faces of the boxes.
@@ -173,37 +144,6 @@ View random_view(Dice& dice, const Choice& choice) {
   view.to_viewer = dice.one_in(4) ? view.normal : dice.unit_vector();
   view.material = material(dice, choice);
   return view;
-}
-
-/// Towards the point, past it at a right angle, or anywhere.
-glm::vec3 axis(Dice& dice, const glm::vec3& from, const glm::vec3& to) {
-  const glm::dvec3 d = glm::dvec3(to) - glm::dvec3(from);
-  const double length = glm::length(d);
-  if (!(length > 1e-30) || dice.one_in(2)) return dice.unit_vector();
-  const glm::dvec3 unit = d / length;
-  if (dice.one_in(2)) return glm::vec3(unit);
-  const glm::dvec3 side = glm::cross(unit, glm::dvec3(dice.unit_vector()));
-  return glm::length(side) > 1e-6 ? glm::vec3(glm::normalize(side)) : glm::vec3(unit);
-}
-
-/// position and intensity are set.
-void finish(Dice& dice, Light& light, const glm::vec3& x) {
-  switch (light.kind) {
-  case LightKind::omni:
-    break;
-  case LightKind::directional:
-    light.position = dice.unit_vector();
-    break;
-  case LightKind::oriented:
-    light.axis = axis(dice, light.position, x);
-    break;
-  case LightKind::spot:
-    light.axis = axis(dice, light.position, x);
-    light.cos_inner = float(dice.uniform(-0.9, 1));
-    light.cos_outer = float(dice.uniform(-1, light.cos_inner - 0x1p-10));
-    if (dice.one_in(4)) light.cos_outer = std::min(0.0F, light.cos_inner - 0x1p-10F);
-    break;
-  }
 }
 
 struct Number {
@@ -239,7 +179,8 @@ Scene make_scene(Dice& dice, int count, const Choice& choice) {
     light.kind = !choice.kind && dice.one_in(8) ? any_kind() : usual_kind;
     light.position = position(dice, place, scene.view, anchor);
     light.intensity = intensity(dice, brightness);
-    finish(dice, light, scene.view.position);
+    oracle::radiometry::with_kind(
+        light.kind, [&](auto truth) { truth.finish(dice, light, scene.view.position); });
     scene.lights.push_back(light);
   }
   if (dice.one_in(4)) scene.view.position = amid_lights(dice, scene.lights);

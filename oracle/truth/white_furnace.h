@@ -5,28 +5,17 @@
 #include <cmath>
 
 #include <lightcuts/core/kernels/contribution.h>
-#include <oracle/truth/direction_density.h>
+#include <oracle/truth/lobes.h>
 
 namespace lightcuts::oracle {
 
-// The part of a material that a lobe stands for, reflecting all that it can; without a lobe, the
-// diffuse part.
-inline Material white(const NoLobe& /*lobe*/) { return {glm::vec3(1), NoLobe{}}; }
-inline Material white(const Phong& phong) { return {{}, Phong{glm::vec3(1), phong.exponent}}; }
-inline Material white(const Ward& ward) { return {{}, Ward{glm::vec3(1), ward.alpha}}; }
-inline Material white(const CookTorrance& lobe) {
-  return {{}, CookTorrance{glm::vec3(1), lobe.alpha}};
-}
-
-/// What the definition of a lobe allows it to reflect in a white furnace: all.
 template <class OneLobe>
-[[nodiscard]] double most_reflected(const OneLobe& /*lobe*/, double /*viewer_cosine*/) {
-  return 1;
+[[nodiscard]] Material white(const OneLobe& lobe) {
+  return radiometry::LobeTruth<OneLobe>::white(lobe);
 }
-/// Ward's has no limit near the horizon; see there. The smaller factor is that of small alpha.
-[[nodiscard]] inline double most_reflected(const Ward& ward, double viewer_cosine) {
-  const double factor = std::min(0.068, 0.37 * ward.alpha * std::sqrt(double(ward.alpha)));
-  return std::max(1.0, factor / std::sqrt(viewer_cosine));
+template <class OneLobe>
+[[nodiscard]] double most_reflected(const OneLobe& lobe, double viewer_cosine) {
+  return radiometry::LobeTruth<OneLobe>::most_reflected(lobe, viewer_cosine);
 }
 
 /// The share of light that is reflected, and the error of that, either way.
@@ -42,7 +31,7 @@ struct MidpointRule {
 
   template <class OneLobe>
   MidpointRule(const ShadingPoint& point, const OneLobe& lobe, int steps) {
-    const auto density = density_for(lobe, point);
+    const typename radiometry::LobeTruth<OneLobe>::Density density(lobe, point);
     for (int i = 0; i < steps; ++i) {
       const double weight = graded((i + 1.0) / steps) - graded(double(i) / steps);
       const double x = graded((i + 0.5) / steps);
@@ -52,7 +41,7 @@ struct MidpointRule {
         if (sight.below_horizon()) continue;
         const double share =
             reflected<AnyFeatures>(point, lobe, sight, LightKind::directional, 0).x /
-            density(density::unit(l));
+            density(glm::normalize(glm::dvec3(l)));
         mean += share * weight;
         largest = std::max(largest, share);
       }

@@ -21,8 +21,7 @@ using oracle::BothWays;
 using oracle::Furnace;
 using oracle::white_furnace;
 
-// Lobes from one end of the domain of their width to the other. A new lobe is a line here, and one
-// in each of <lightcuts/oracle/direction_density.h> and white().
+// Lobes from one end of the domain of their width to the other.
 constexpr std::array alphas{0x1p-14F, 0.001F, 0.01F, 0.05F, 0.1F, 0.3F, 0.5F, 0.7F, 1.0F};
 constexpr std::array exponents{0.0F, 0.5F, 1.0F, 10.0F, 100.0F, 10000.0F, Phong::max_exponent};
 std::vector<NoLobe> widths(NoLobe) { return {{}}; }

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include <glm/vec3.hpp>
+#include <lightcuts/core/lights/light.h>
+#include <lightcuts/core/lobes/shading_point.h>
+#include <oracle/truth/kinds.h>
+#include <oracle/truth/vectors.h>
+
+namespace lightcuts::oracle::radiometry {
+
+/// Everything about the way from a point to a light, both above each other's horizon.
+template <class Real>
+struct Way {
+  const ShadingPoint& point;
+  glm::vec3 from, to;
+  Vector<Real> q;
+  Real distance2, distance, n_dot_l;
+
+  Way(const ShadingPoint& p, const Light& light)
+      : point(p), from(is_far(light.kind) ? glm::vec3(0) : p.position()), to(light.position) {
+    using std::sqrt;
+    for (int i = 0; i < 3; ++i) q[std::size_t(i)] = Real(to[i]) - Real(from[i]);
+    distance2 = dot(q, q);
+    distance = sqrt(distance2);
+    n_dot_l = distance2 == 0 ? Real(0) : Real(cosine_with(p.normal()));
+  }
+  [[nodiscard]] Real cosine_with(const glm::vec3& u) const {
+    return dot_between<Real>(u, from, to) / (length<Real>(u) * distance);
+  }
+};
+
+/// n.v.
+template <class Real>
+Real viewer_cosine(const ShadingPoint& p) {
+  return dot_between<Real>(p.normal(), glm::vec3(0), p.to_viewer()) /
+         (length<Real>(p.normal()) * length<Real>(p.to_viewer()));
+}
+
+} // namespace lightcuts::oracle::radiometry
