@@ -108,7 +108,7 @@ void compare(const char* what, double measured, double expected) {
       << what << ": tighter; commit the table with LIGHTCUTS_WRITE_TIGHTNESS=1";
 }
 
-// The table is tests/oracle/tightness.csv; LIGHTCUTS_WRITE_TIGHTNESS=1 writes it anew.
+// The table is tests/oracle/properties/tightness.csv; LIGHTCUTS_WRITE_TIGHTNESS=1 writes it anew.
 TEST(Tightness, IsThatOfTheCommittedTable) {
   std::vector<Tightness> table;
   for (const char* kind : kinds)
