@@ -172,7 +172,7 @@ float threshold_for(const CommonOptions& options, const SceneView& view) {
 
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
-  for (const Method method : all_methods) names.emplace_back(name_of(method));
+  for (const Method method : all_methods) names.emplace_back(method->name);
   return names;
 }
 

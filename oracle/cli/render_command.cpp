@@ -40,7 +40,7 @@ int run(const RenderOptions& options) {
   config.cut.black_level = features.black_level;
   config.use_tree = features.tree;
   const bool uses_tree =
-      config.method == Method::lightcuts ? features.tree : config.method != Method::reference;
+      config.method == methods::lightcuts ? features.tree : config.method != methods::reference;
   Rendering rendering;
   {
     Progress progress("render " + options.scene);
@@ -71,7 +71,7 @@ int run(const RenderOptions& options) {
   const std::string table = fmt::format(
       "{}, {}: {:.2f} s, {:.1f} of {} lights and {:.1f} shadow rays per pixel{}\nwritten to {}\n",
       scene.name, options.method, rendering.seconds, cut_size, scene.lights.size(), rays,
-      uses_tree || config.method == Method::reference ? "" : " (no light tree: it would not pay)",
+      uses_tree || config.method == methods::reference ? "" : " (no light tree: it would not pay)",
       out.string());
   print_results(options, table, text_of(json));
   return all_holds;

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include <lightcuts/core/kernels/error_bound.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <oracle/explain/failing_place.h>
 #include <oracle/truth/radiometry.h>
@@ -122,9 +122,7 @@ struct LibraryCluster {
 
   [[nodiscard]] glm::vec3 bound(const ShadingPoint& point) const {
     if (tree->empty()) return glm::vec3(0);
-    return std::visit(
-        [&](const auto& lobe) { return contribution_bound(*tree, node, point, lobe); },
-        point.material().lobe);
+    return contribution_bound(*tree, node, point);
   }
 };
 
@@ -134,14 +132,17 @@ struct Suprema {
   glm::dvec3 shine{0}; ///< of lobe n.l falloff
 
   Suprema(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
-    const JointSuprema<AnyFeatures> sup;
     const TreeNode& n = tree.node(node);
     const glm::vec3 from = viewed_from(n.kind(), point.position());
-    max_cosine_falloff =
-        sup.max_cosine_falloff(n.kind(), point.normal(), from, n.box, tree.min_distance2()) *
-        point.inverse_normal_length();
-    falloff = sup.falloff(n.kind(), from, n.box, tree.min_distance2());
-    if ((n.kinds & kinds_with_axis) != 0) emission = sup.emission(tree, node, n.kind(), from);
+    visit_kind(n.kind(), [&]<class Kind>(Kind) {
+      const JointSuprema<Kind> sup;
+      const double clamp2 = tree.min_distance2();
+      max_cosine_falloff =
+          sup.max_cosine_falloff(n.kind(), point.normal(), from, n.box, clamp2) *
+          point.inverse_normal_length();
+      falloff = sup.max_falloff(n.kind(), from, n.box, clamp2);
+      if (has_axis(Kind::kind)) emission = sup.max_emission(tree, node, n.kind(), from);
+    });
     const auto bound_of = [&](const auto& lobe) {
       return lobe.bound(BoxSight{point, from, n.box, max_cosine_falloff, falloff});
     };

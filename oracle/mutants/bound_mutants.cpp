@@ -5,12 +5,13 @@
 #include <numbers>
 #include <type_traits>
 
+#include <lightcuts/core/kernels/cluster_estimate.h>
 #include <oracle/mutants/groups.h>
 
 namespace lightcuts::oracle {
 namespace {
 
-using Library = JointSuprema<AnyFeatures>;
+using Library = AnySuprema;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
@@ -35,33 +36,33 @@ glm::vec3 corner(const Box& box, int bits) {
 // ---- the cosine of the surface
 
 struct CosineOfTwoCorners : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     return std::max(cosine(n, to(from, box.lo)), cosine(n, to(from, box.hi))) *
-           falloff(kind, from, box, d2);
+           max_falloff(kind, from, box, d2);
   }
 };
 
 struct CosineOfCornersOnly : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     double most = 0;
     for (int i = 0; i < 8; ++i) most = std::max(most, cosine(n, to(from, corner(box, i))));
-    return most == 0 ? 0 : most * falloff(kind, from, box, d2);
+    return most == 0 ? 0 : most * max_falloff(kind, from, box, d2);
   }
 };
 
 struct CosineOfCentre : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     const double at_centre = cosine(n, to(from, centre(box)));
-    return at_centre == 0 ? 0 : at_centre * falloff(kind, from, box, d2);
+    return at_centre == 0 ? 0 : at_centre * max_falloff(kind, from, box, d2);
   }
 };
 
 struct PoleNormal : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     // Of the rotation that turns n to +z: of unit length, or 0/0.
     const glm::dvec3 axis = glm::normalize(glm::cross(glm::dvec3(n), glm::dvec3(0, 0, 1)));
     return Library::max_cosine_falloff(kind, n, from, box, d2) * glm::dot(axis, axis);
@@ -69,8 +70,8 @@ struct PoleNormal : Library {
 };
 
 struct CosineNotShaded : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     const double max_cosine_falloff = Library::max_cosine_falloff(kind, n, from, box, d2);
     return max_cosine_falloff == 0
                ? 0
@@ -83,14 +84,15 @@ struct CosineNotShaded : Library {
 /// n.l and the falloff apart, the latter by another squared distance.
 template <double squared_distance(const glm::vec3& from, const Box& box)>
 struct ByDistance : Library {
-  static double falloff(LightKind kind, const glm::vec3& from, const Box& box, double d2) {
+  double max_falloff(LightKind kind, const glm::vec3& from, const Box& box,
+                     double d2) const override {
     if (kind == LightKind::directional) return 1;
     return 1 / std::max(squared_distance(from, box), d2);
   }
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     const double most = max_cosine(n, from, box);
-    return most == 0 ? 0 : most * falloff(kind, from, box, d2);
+    return most == 0 ? 0 : most * max_falloff(kind, from, box, d2);
   }
 };
 
@@ -129,26 +131,27 @@ double inside_is_finite(const glm::vec3& from, const Box& box) {
 }
 
 struct ZeroTimesInfinity : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
-    return max_cosine(n, from, box) * falloff(kind, from, box, d2);
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
+    return max_cosine(n, from, box) * max_falloff(kind, from, box, d2);
   }
 };
 
 struct ClampMismatch : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     return Library::max_cosine_falloff(kind, n, from, box, std::sqrt(d2)); // d_min for d_min^2
   }
-  static double falloff(LightKind kind, const glm::vec3& from, const Box& box, double d2) {
-    return Library::falloff(kind, from, box, std::sqrt(d2));
+  double max_falloff(LightKind kind, const glm::vec3& from, const Box& box,
+                     double d2) const override {
+    return Library::max_falloff(kind, from, box, std::sqrt(d2));
   }
 };
 
 struct BoundRoundedDown : Library {
   // A box stored in steps of 1/256 of its size, its corners rounded to the nearest one inside.
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     const glm::vec3 step = (box.hi - box.lo) / 256.0F;
     return Library::max_cosine_falloff(kind, n, from, {box.lo + step, box.hi - step}, d2);
   }
@@ -156,16 +159,21 @@ struct BoundRoundedDown : Library {
 
 // ---- lobes
 
-/// The library's rules with bounds by other lobes: altered<OneLobe>, made of the point's.
+/// The library's bounds by other lobes: altered<OneLobe>, made of the point's.
 template <template <class> class Altered>
-struct BoundedByLobe : LightcutsRules {
-  template <class OneLobe>
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                         const OneLobe& lobe) {
-    if constexpr (std::is_same_v<OneLobe, NoLobe>)
-      return LightcutsRules::bound(tree, node, point, lobe);
-    else
-      return bound_by(Library(), tree, node, point, Altered<OneLobe>{lobe});
+struct BoundedByLobe : LibraryKernel {
+  [[nodiscard]] glm::vec3 bound(const LightTree& tree, std::uint32_t node,
+                                const ShadingPoint& point) const override {
+    return std::visit(
+        [&]<class OneLobe>(const OneLobe& lobe) {
+          if constexpr (std::is_same_v<OneLobe, NoLobe>)
+            return contribution_bound(tree, node, point);
+          else
+            return bound_over_kinds(tree, node, [&](std::uint32_t i) {
+              return cluster_bound(Library(), tree, i, point, Altered<OneLobe>{lobe});
+            });
+        },
+        point.material().lobe);
   }
 };
 
@@ -213,28 +221,36 @@ struct NotBounded : OneLobe {
   [[nodiscard]] glm::dvec3 bound(const BoxSight& /*box*/) const { return glm::dvec3(0); }
 };
 
-template <class OneLobe>
-struct Signed : OneLobe {
+struct SignedPhong : Phong {
   [[nodiscard]] glm::dvec3 evaluate(const Sight& sight) const {
-    if constexpr (std::is_same_v<OneLobe, Phong>) {
-      const double cosine = sight.mirror_cosine();
-      if (cosine < 0 && std::fmod(this->exponent, 2) == 1)
-        return glm::dvec3(this->reflectance) *
-               (this->normalisation() * std::pow(cosine, double(this->exponent)));
-    }
-    return OneLobe::evaluate(sight);
+    const double cosine = sight.mirror_cosine();
+    if (cosine < 0 && std::fmod(exponent, 2) == 1)
+      return glm::dvec3(reflectance) * (normalisation() * std::pow(cosine, double(exponent)));
+    return Phong::evaluate(sight);
   }
 };
 
-struct SignedSpecular : LightcutsRules {
-  template <class OneLobe>
-  static glm::dvec3 estimate(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                             const OneLobe& lobe, const glm::vec3& bound) {
-    return LightcutsRules::estimate(tree, node, point, Signed<OneLobe>{lobe}, bound);
+struct SignedSpecular : LibraryKernel {
+  [[nodiscard]] glm::dvec3 estimate(const LightTree& tree, std::uint32_t node,
+                                    const ShadingPoint& point,
+                                    const glm::vec3& bound) const override {
+    const auto* phong = std::get_if<Phong>(&point.material().lobe);
+    if (phong == nullptr) return LibraryKernel::estimate(tree, node, point, bound);
+    const glm::dvec3 e = over_kinds(tree, node, [&](std::uint32_t i) {
+      return visit_kind(tree.node(i).kind(), [&]<class Kind>(Kind) {
+        return centroid_estimate<Kind>(tree, i, point, SignedPhong{*phong});
+      });
+    });
+    return tree.node(node).is_leaf() ? e : glm::min(e, glm::dvec3(bound));
   }
 };
 
 // ---- orientation cones
+
+double emission_bound(LightKind kind, const ClusterEmission& e, const glm::vec3& from,
+                      const Box& box) {
+  return visit_kind(kind, [&]<class Kind>(Kind) { return Kind::max_emission(e, from, box); });
+}
 
 double radians(const Angle& angle) { return std::atan2(angle.sin, angle.cos); }
 
@@ -245,11 +261,11 @@ OrientationCone cone_of(const glm::vec3& axis, double half_angle) {
 /// Emission by other cones: altered(tree, i), made of the node's children.
 template <OrientationCone altered(const LightTree& tree, std::uint32_t i)>
 struct ByCone : Library {
-  static double emission(const LightTree& tree, std::uint32_t i, LightKind kind,
-                         const glm::vec3& from) {
+  double max_emission(const LightTree& tree, std::uint32_t i, LightKind kind,
+                      const glm::vec3& from) const override {
     ClusterEmission e = tree.emission(i);
     e.cone = altered(tree, i);
-    return max_emission(kind, e, from, tree.node(i).box);
+    return emission_bound(kind, e, from, tree.node(i).box);
   }
 };
 
@@ -288,13 +304,12 @@ OrientationCone opposite(const LightTree& tree, std::uint32_t i) {
 
 /// The library's bound with another intensity of the cluster.
 template <glm::dvec3 intensity_of(const LightTree& tree, const TreeNode& cluster)>
-struct ByIntensity : LightcutsRules {
-  template <class OneLobe>
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                         const OneLobe& lobe) {
+struct ByIntensity : LibraryKernel {
+  [[nodiscard]] glm::vec3 bound(const LightTree& tree, std::uint32_t node,
+                                const ShadingPoint& point) const override {
     const TreeNode& cluster = tree.node(node);
     const glm::dvec3 intensity = intensity_of(tree, cluster);
-    const glm::vec3 bound = LightcutsRules::bound(tree, node, point, lobe);
+    const glm::vec3 bound = LibraryKernel::bound(tree, node, point);
     glm::vec3 result(0);
     for (int c = 0; c < 3; ++c)
       if (cluster.intensity[c] > 0)
@@ -331,14 +346,14 @@ constexpr Mutant catalogue[] = {
     {"inside-is-finite", "bounds 1/d^2 by the box's size where the point is inside",
      with_suprema<ByDistance<inside_is_finite>>},
     {"half-vector-half-angle", "lets the half vector turn by half the cone of the lights",
-     with_bounds<BoundedByLobe<BoundedByHalfTheCone>>},
+     with_kernel<BoundedByLobe<BoundedByHalfTheCone>>},
     {"specular-at-normal", "bounds a lobe by its value for light along the normal",
-     with_bounds<BoundedByLobe<BoundedAtNormal>>},
+     with_kernel<BoundedByLobe<BoundedAtNormal>>},
     {"specular-missing", "leaves the lobe out of the bound",
-     with_bounds<BoundedByLobe<NotBounded>>},
+     with_kernel<BoundedByLobe<NotBounded>>},
     {"diffuse-cosine-not-shaded", "has a cosine in the bound that shading has not",
      with_suprema<CosineNotShaded>},
-    {"signed-specular", "raises negative cosines to odd powers", with_estimates<SignedSpecular>},
+    {"signed-specular", "raises negative cosines to odd powers", with_kernel<SignedSpecular>},
     {"cone-merge-gap", "loses a degree of the cone where two are merged",
      with_suprema<ByCone<gap_of_a_degree>>},
     {"cone-acos-unclamped", "takes the arc cosine of more than 1 where axes are merged",
@@ -348,9 +363,9 @@ constexpr Mutant catalogue[] = {
     {"cone-sign", "tests cones against the direction towards the light",
      with_suprema<ByCone<opposite>>},
     {"intensity-of-representative", "bounds by the representative's intensity, not the cluster's",
-     with_bounds<ByIntensity<of_representative>>},
+     with_kernel<ByIntensity<of_representative>>},
     {"intensity-scalar", "bounds all channels by the cluster's luminance",
-     with_bounds<ByIntensity<luminance>>},
+     with_kernel<ByIntensity<luminance>>},
     {"bound-rounded-down", "stores boxes in steps, their corners rounded inwards",
      with_suprema<BoundRoundedDown>},
     {"zero-times-infinity", "multiplies a cosine of 0 by a falloff of infinity",

@@ -14,7 +14,7 @@ namespace {
 
 // ---- other rules
 
-struct HeapInverted : LightcutsRules {
+struct HeapInverted : StoppingRule {
   static bool refined_before(double key, double other) { return key < other; }
   template <class AllObey>
   static bool stops(AllObey&&) {
@@ -22,7 +22,7 @@ struct HeapInverted : LightcutsRules {
   }
 };
 
-struct AverageChannelTest : LightcutsRules {
+struct AverageChannelTest : StoppingRule {
   static bool obeys(const glm::vec3& bound, const glm::dvec3& total, const CutConfig& config) {
     double ratios = 0;
     for (int c = 0; c < 3; ++c)
@@ -31,28 +31,30 @@ struct AverageChannelTest : LightcutsRules {
   }
 };
 
-struct ComparatorNotStrict : LightcutsRules {
+struct ComparatorNotStrict : StoppingRule {
   static bool refined_before(double key, double other) { return key >= other; }
 };
 
-struct CacheAcrossPoints : LightcutsRules {
-  template <class OneLobe>
-  glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                  const OneLobe& lobe) const {
+struct CacheAcrossPoints : LibraryKernel {
+  [[nodiscard]] glm::vec3 bound(const LightTree& tree, std::uint32_t node,
+                                const ShadingPoint& point) const override {
     const auto known = bounds.find(node);
     if (known != bounds.end()) return known->second;
-    return bounds[node] = LightcutsRules::bound(tree, node, point, lobe);
+    return bounds[node] = LibraryKernel::bound(tree, node, point);
   }
   mutable std::map<std::uint32_t, glm::vec3> bounds;
 };
 
 /// Selects by cached bounds; asked for one, it computes it.
-class CachingTree : public CopiedPerThread<CachingTree, RulesTree<CacheAcrossPoints>> {
+class CachingTree : public LibraryTree {
 public:
-  using CopiedPerThread<CachingTree, RulesTree<CacheAcrossPoints>>::CopiedPerThread;
+  explicit CachingTree(std::shared_ptr<const LightTree> tree)
+      : LibraryTree(std::move(tree), std::make_shared<CacheAcrossPoints>()) {}
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<CachingTree>(shared_tree());
+  }
   glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) override {
-    rules().bounds.clear();
-    return RulesTree::bound(node, point);
+    return contribution_bound(tree(), node, point);
   }
 };
 
@@ -74,12 +76,7 @@ struct OpenCut {
     if (dot_between(point.normal(), from, one.position) > 0 &&
         !visible(tree.node(node).representative))
       return glm::dvec3(0);
-    return std::visit(
-        [&](const auto& lobe) {
-          return LightcutsRules::estimate(tree, node, point, lobe,
-                                          LightcutsRules::bound(tree, node, point, lobe));
-        },
-        point.material().lobe);
+    return cluster_estimate(tree, node, point, contribution_bound(tree, node, point));
   }
 
   /// The nodes that were refined, parents first.
@@ -128,7 +125,7 @@ public:
   using CopiedPerThread<SpoiltTree<spoil>>::CopiedPerThread;
   Cut select(const ShadingPoint& point, const CutConfig& config,
              const std::function<bool(std::uint32_t)>& visible) override {
-    const Cut cut = RulesTree<LightcutsRules>::select(point, config, visible);
+    const Cut cut = LibraryTree::select(point, config, visible);
     OpenCut open{this->tree(), point, config,
                  visible,      cut,   {cut.clusters.begin(), cut.clusters.end()}};
     spoil(open);
@@ -208,26 +205,25 @@ void subtract_without_summing_anew(OpenCut& open) {
 
 // ---- another configuration
 
-template <CutConfig other(const CutConfig&, RulesTree<LightcutsRules>&, const ShadingPoint&)>
+template <CutConfig other(const CutConfig&, LibraryTree&, const ShadingPoint&)>
 class ReconfiguredTree : public CopiedPerThread<ReconfiguredTree<other>> {
 public:
   using CopiedPerThread<ReconfiguredTree<other>>::CopiedPerThread;
   Cut select(const ShadingPoint& point, const CutConfig& config,
              const std::function<bool(std::uint32_t)>& visible) override {
-    Cut cut = RulesTree<LightcutsRules>::select(point, other(config, *this, point), visible);
+    Cut cut = LibraryTree::select(point, other(config, *this, point), visible);
     if (cut.end == CutEnd::black_level) cut.end = CutEnd::converged;
     return cut;
   }
 };
 
-CutConfig one_more(const CutConfig& config, RulesTree<LightcutsRules>&, const ShadingPoint&) {
+CutConfig one_more(const CutConfig& config, LibraryTree&, const ShadingPoint&) {
   CutConfig other = config;
   ++other.max_size;
   return other;
 }
 
-CutConfig by_first_guess(const CutConfig& config, RulesTree<LightcutsRules>& tree,
-                         const ShadingPoint& point) {
+CutConfig by_first_guess(const CutConfig& config, LibraryTree& tree, const ShadingPoint& point) {
   const glm::dvec3 guess = tree.estimate(0, point, tree.bound(0, point));
   CutConfig other = config;
   other.threshold = 0;
@@ -239,8 +235,7 @@ CutConfig by_first_guess(const CutConfig& config, RulesTree<LightcutsRules>& tre
 // ---- the catalogue
 
 constexpr Mutant catalogue[] = {
-    {"heap-inverted", "refines the smallest bound first, and stops on it",
-     with_rules<HeapInverted>},
+    {"heap-inverted", "refines the smallest bound first, and stops on it", with_rule<HeapInverted>},
     {"popped-is-lost", "does not put back the cluster that was found good enough",
      with_tree<SpoiltTree<lose_popped>>},
     {"leaf-is-lost", "does not put back a leaf", with_tree<SpoiltTree<lose_leaf>>},
@@ -252,7 +247,7 @@ constexpr Mutant catalogue[] = {
      "leaves the child that has the parent's representative the parent's light",
      with_tree<SpoiltTree<keep_parents_light>>},
     {"average-channel-test", "compares the mean of the channels' ratios with the threshold",
-     with_stop_test<AverageChannelTest>},
+     with_rule<AverageChannelTest>},
     {"threshold-on-first-guess", "takes the threshold of the root's estimate for good",
      with_tree<ReconfiguredTree<by_first_guess>>},
     {"stops-at-size-silently", "calls a cut converged that has reached its largest size",
@@ -261,7 +256,7 @@ constexpr Mutant catalogue[] = {
     {"cache-across-points", "reuses bounds of one shading point at the next",
      with_tree<CachingTree>},
     {"comparator-not-strict", "refines each of two equal bounds before the other",
-     with_rules<ComparatorNotStrict>},
+     with_rule<ComparatorNotStrict>},
     {"negative-total", "goes below 0 where estimates are taken out of a total",
      with_tree<SpoiltTree<subtract_without_summing_anew>>},
     {"capacity-off-by-one", "refines once more at the largest size",

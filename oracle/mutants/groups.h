@@ -4,8 +4,12 @@
 #include <memory>
 #include <span>
 
+#include <lightcuts/core/kernels/cluster_bound.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
+#include <lightcuts/core/kernels/over_kinds.h>
+#include <lightcuts/core/numerics/rounding.h>
 #include <oracle/mutants/mutants.h>
-#include <oracle/subjects/rules_subject.h>
+#include <oracle/subjects/library_subject.h>
 
 namespace lightcuts::oracle {
 
@@ -17,93 +21,102 @@ namespace lightcuts::oracle {
 [[nodiscard]] std::span<const Mutant> shading_mutants();
 [[nodiscard]] std::span<const Mutant> subtle_mutants();
 
-/// The library's rules, of which some are others: decided at run time, so that a mutant costs no
-/// selector of its own.
-struct MutantRules : LightcutsRules {
-  glm::vec3 (*other_bound)(const LightTree&, std::uint32_t, const ShadingPoint&) = nullptr;
-  glm::dvec3 (*other_estimate)(const LightTree&, std::uint32_t, const ShadingPoint&,
-                               const glm::vec3& bound) = nullptr;
-  bool (*other_obeys)(const glm::vec3& bound, const glm::dvec3& total, const CutConfig&) = nullptr;
-
-  template <class OneLobe>
-  glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                  const OneLobe& lobe) const {
-    return other_bound != nullptr ? other_bound(tree, node, point)
-                                  : LightcutsRules::bound(tree, node, point, lobe);
+/// The library's kernel for any tree, of which a mutant puts one thing of its own in place.
+struct LibraryKernel : ClusterKernel {
+  [[nodiscard]] glm::vec3 bound(const LightTree& tree, std::uint32_t node,
+                                const ShadingPoint& point) const override {
+    return contribution_bound(tree, node, point);
   }
-  template <class OneLobe>
-  glm::dvec3 estimate(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                      const OneLobe& lobe, const glm::vec3& bound) const {
-    return other_estimate != nullptr ? other_estimate(tree, node, point, bound)
-                                     : LightcutsRules::estimate(tree, node, point, lobe, bound);
-  }
-  [[nodiscard]] bool obeys(const glm::vec3& bound, const glm::dvec3& total,
-                           const CutConfig& config) const {
-    return other_obeys != nullptr ? other_obeys(bound, total, config)
-                                  : LightcutsRules::obeys(bound, total, config);
+  [[nodiscard]] glm::dvec3 estimate(const LightTree& tree, std::uint32_t node,
+                                    const ShadingPoint& point,
+                                    const glm::vec3& bound) const override {
+    return cluster_estimate(tree, node, point, bound);
   }
 };
 
-/// The library with these rules, for Mutant::make.
-template <class Rules>
-std::unique_ptr<Subject> with_rules(const char* name) {
-  return std::make_unique<RulesSubject<Rules>>(name);
+/// The library with this kernel, for Mutant::make.
+template <class Kernel>
+std::unique_ptr<Subject> with_kernel(const char* name) {
+  return std::make_unique<KernelSubject>(name, std::make_shared<Kernel>());
 }
 
-/// bound(tree, node, point, lobe) of a set of rules, for any lobe.
-template <class Rules>
-glm::vec3 bound_by_rules(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
-  return std::visit([&](const auto& lobe) { return Rules::bound(tree, node, point, lobe); },
-                    point.material().lobe);
+/// The library's suprema, whatever the kind of light; see JointSuprema.
+struct AnySuprema {
+  virtual ~AnySuprema() = default;
+  [[nodiscard]] LightKind kind_of(const TreeNode& cluster) const { return cluster.kind(); }
+  [[nodiscard]] virtual double max_cosine_falloff(LightKind kind, const glm::vec3& n,
+                                                  const glm::vec3& from, const Box& box,
+                                                  double d2) const;
+  [[nodiscard]] virtual double max_falloff(LightKind kind, const glm::vec3& from, const Box& box,
+                                           double d2) const;
+  [[nodiscard]] virtual double max_emission(const LightTree& tree, std::uint32_t i, LightKind kind,
+                                            const glm::vec3& from) const;
+};
+
+/// What one_kind() makes of the clusters of one kind, added and rounded up.
+template <class OneKind>
+glm::vec3 bound_over_kinds(const LightTree& tree, std::uint32_t node, const OneKind& one_kind) {
+  if (!tree.node(node).is_mixed()) return one_kind(node);
+  const glm::dvec3 sum =
+      over_kinds(tree, node, [&](std::uint32_t i) { return glm::dvec3(one_kind(i)); });
+  return {round_up(sum.x), round_up(sum.y), round_up(sum.z)};
 }
 
-template <class Rules>
-glm::dvec3 estimate_by_rules(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                             const glm::vec3& bound) {
-  return std::visit(
-      [&](const auto& lobe) { return Rules::estimate(tree, node, point, lobe, bound); },
-      point.material().lobe);
-}
+/// The library's bound by other suprema.
+[[nodiscard]] glm::vec3 bound_by(const AnySuprema& suprema, const LightTree& tree,
+                                 std::uint32_t node, const ShadingPoint& point);
 
-/// The library with the bounds, or the estimates, of other rules.
-template <class Rules>
-std::unique_ptr<Subject> with_bounds(const char* name) {
-  MutantRules rules;
-  rules.other_bound = bound_by_rules<Rules>;
-  return std::make_unique<RulesSubject<MutantRules>>(name, rules);
-}
-
-template <class Rules>
-std::unique_ptr<Subject> with_estimates(const char* name) {
-  MutantRules rules;
-  rules.other_estimate = estimate_by_rules<Rules>;
-  return std::make_unique<RulesSubject<MutantRules>>(name, rules);
-}
-
-template <class Rules>
-std::unique_ptr<Subject> with_stop_test(const char* name) {
-  MutantRules rules;
-  rules.other_obeys = Rules::obeys;
-  return std::make_unique<RulesSubject<MutantRules>>(name, rules);
-}
-
-/// The library's rules with bounds by other suprema.
 template <class Suprema>
-struct BoundedBy : LightcutsRules {
-  template <class OneLobe>
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                         const OneLobe& lobe) {
-    return bound_by(Suprema(), tree, node, point, lobe);
+struct SupremaKernel : LibraryKernel {
+  [[nodiscard]] glm::vec3 bound(const LightTree& tree, std::uint32_t node,
+                                const ShadingPoint& point) const override {
+    return bound_by(Suprema(), tree, node, point);
   }
 };
 
 template <class Suprema>
 std::unique_ptr<Subject> with_suprema(const char* name) {
-  return with_bounds<BoundedBy<Suprema>>(name);
+  return with_kernel<SupremaKernel<Suprema>>(name);
+}
+
+/// A tree of the library that selects by another rule.
+template <class Rule>
+class RuleTree : public LibraryTree {
+public:
+  using LibraryTree::LibraryTree;
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<RuleTree>(shared_tree());
+  }
+  Cut select(const ShadingPoint& point, const CutConfig& config,
+             const std::function<bool(std::uint32_t)>& visible) override {
+    return loops_.with(config, tree(), *kernel())(point, visible);
+  }
+
+private:
+  CutLoops<Rule> loops_;
+};
+
+/// The library, refining and stopping by another rule.
+template <class Rule>
+class RuleSubject : public KernelSubject {
+public:
+  using KernelSubject::KernelSubject;
+  [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
+                                                   std::uint64_t seed) const override {
+    return std::make_unique<RuleTree<Rule>>(lightcuts::build(lights, {seed}));
+  }
+  [[nodiscard]] bool refined_before(double bound, double other) const override {
+    return Rule::refined_before(bound, other);
+  }
+};
+
+template <class Rule>
+std::unique_ptr<Subject> with_rule(const char* name) {
+  return std::make_unique<RuleSubject<Rule>>(name);
 }
 
 /// A tree that is copied for another thread as what it is: Self, made of the library's tree.
-template <class Self, class Base = RulesTree<LightcutsRules>>
+template <class Self, class Base = LibraryTree>
 class CopiedPerThread : public Base {
 public:
   using Base::Base;
@@ -114,9 +127,9 @@ public:
 
 /// The library, its tree answering through `Tree`, made of the library's own.
 template <class Tree>
-class WithTree : public RulesSubject<LightcutsRules> {
+class WithTree : public KernelSubject {
 public:
-  using RulesSubject::RulesSubject;
+  using KernelSubject::KernelSubject;
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
     return std::make_unique<Tree>(

@@ -9,17 +9,10 @@
 namespace lightcuts::oracle {
 namespace {
 
-using Importance = HierarchicalImportance<AnyFeatures>;
-
-ChildShares shares_of_node(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
-  return std::visit([&](const auto& lobe) { return Importance::shares(tree, node, point, lobe); },
-                    point.material().lobe);
-}
-
 /// The library's tree, but for how it draws.
-class OtherDraws : public RulesTree<LightcutsRules> {
+class OtherDraws : public LibraryTree {
 public:
-  using RulesTree::RulesTree;
+  using LibraryTree::LibraryTree;
   /// Lights each cluster of the library's cut by what sample() draws.
   Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
            const std::function<bool(std::uint32_t)>& visible) override {
@@ -153,7 +146,7 @@ public:
   DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
     double p = 1;
     while (!tree().node(node).is_leaf()) {
-      const ChildShares share = shares_of_node(tree(), node, point);
+      const ChildShares share = HierarchicalImportance::shares(tree(), node, point);
       if (share.first == 0 && share.second == 0) return {};
       const bool first = u < share.first;
       u = first ? u * share.first : (u - share.first) * share.second;
@@ -172,7 +165,7 @@ public:
     DrawnLight drawn = OtherDraws::sample(node, point, u);
     if (drawn.probability > 0)
       drawn.probability =
-          light_probability(IntensityImportance(), tree(), node, drawn.light, point, NoLobe());
+          light_probability(IntensityImportance(), tree(), node, drawn.light, point);
     return drawn;
   }
 };

@@ -10,32 +10,33 @@
 namespace lightcuts::oracle {
 namespace {
 
-struct BackLit : LightcutsRules {
-  template <class OneLobe>
-  static glm::dvec3 estimate(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                             const OneLobe& lobe, const glm::vec3& bound) {
-    const glm::dvec3 front = LightcutsRules::estimate(tree, node, point, lobe, bound);
+struct BackLit : LibraryKernel {
+  [[nodiscard]] glm::dvec3 estimate(const LightTree& tree, std::uint32_t node,
+                                    const ShadingPoint& point,
+                                    const glm::vec3& bound) const override {
+    const glm::dvec3 front = LibraryKernel::estimate(tree, node, point, bound);
     if (front != glm::dvec3(0)) return front;
     const ShadingPoint back(point.position(), -point.normal(), point.to_viewer(), point.material());
-    return LightcutsRules::estimate(tree, node, back, lobe, bound);
+    return LibraryKernel::estimate(tree, node, back, bound);
   }
 };
 
-struct ExponentIgnored : LightcutsRules {
-  template <class OneLobe>
-  static glm::dvec3 estimate(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                             const OneLobe& lobe, const glm::vec3& bound) {
-    OneLobe flat = lobe;
-    if constexpr (std::is_same_v<OneLobe, Phong>) flat.exponent = 1;
-    return LightcutsRules::estimate(tree, node, point, flat, bound);
+struct ExponentIgnored : LibraryKernel {
+  [[nodiscard]] glm::dvec3 estimate(const LightTree& tree, std::uint32_t node,
+                                    const ShadingPoint& point,
+                                    const glm::vec3& bound) const override {
+    Material material = point.material();
+    if (auto* phong = std::get_if<Phong>(&material.lobe)) phong->exponent = 1;
+    return LibraryKernel::estimate(
+        tree, node, {point.position(), point.normal(), point.to_viewer(), material}, bound);
   }
 };
 
 /// The library but for its shadow rays.
 template <bool blocked(const SceneView& view, const VisiblePoint& from, std::uint32_t light)>
-class OtherOcclusion : public RulesSubject<LightcutsRules> {
+class OtherOcclusion : public KernelSubject {
 public:
-  using RulesSubject::RulesSubject;
+  using KernelSubject::KernelSubject;
   [[nodiscard]] bool sees(const SceneView& view, const VisiblePoint& from,
                           std::uint32_t light) const override {
     return !blocked(view, from, light);
@@ -69,12 +70,12 @@ bool by_last_mesh(const SceneView& view, const VisiblePoint& from, std::uint32_t
 
 /// The library but for its pictures.
 template <void spoil(Rendering& picture, const SceneView& view)>
-class OtherPictures : public RulesSubject<LightcutsRules> {
+class OtherPictures : public KernelSubject {
 public:
-  using RulesSubject::RulesSubject;
+  using KernelSubject::KernelSubject;
   [[nodiscard]] Rendering render(const SceneView& view, const LightTree& tree,
                                  const RenderConfig& config) const override {
-    Rendering picture = RulesSubject::render(view, tree, config);
+    Rendering picture = KernelSubject::render(view, tree, config);
     spoil(picture, view);
     return picture;
   }
@@ -109,9 +110,9 @@ void normalise_in_floats(Rendering& picture, const SceneView& view) {
 }
 
 constexpr Mutant catalogue[] = {
-    {"back-lit", "lights surfaces from behind", with_estimates<BackLit>},
+    {"back-lit", "lights surfaces from behind", with_kernel<BackLit>},
     {"exponent-ignored", "does not raise Phong's cosine to its power",
-     with_estimates<ExponentIgnored>},
+     with_kernel<ExponentIgnored>},
     {"blocker-behind-light", "lets what lies behind a light occlude it",
      with_occlusion<by_all_beyond>},
     {"self-shadow", "starts shadow rays on the surface itself", with_occlusion<by_itself>},

@@ -7,16 +7,15 @@
 namespace lightcuts::oracle {
 namespace {
 
-using Library = JointSuprema<AnyFeatures>;
+using Library = AnySuprema;
 
 /// The library's bound, then something done to it.
 template <glm::vec3 alter(const glm::vec3& bound, const LightTree& tree, std::uint32_t node,
                           const ShadingPoint& point)>
-struct Altered : LightcutsRules {
-  template <class OneLobe>
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                         const OneLobe& lobe) {
-    return alter(LightcutsRules::bound(tree, node, point, lobe), tree, node, point);
+struct Altered : LibraryKernel {
+  [[nodiscard]] glm::vec3 bound(const LightTree& tree, std::uint32_t node,
+                                const ShadingPoint& point) const override {
+    return alter(LibraryKernel::bound(tree, node, point), tree, node, point);
   }
 };
 
@@ -30,17 +29,14 @@ glm::vec3 one_ulp_down(const glm::vec3& bound, const LightTree&, std::uint32_t,
 glm::vec3 larger_of_mixed(const glm::vec3& bound, const LightTree& tree, std::uint32_t node,
                           const ShadingPoint& point) {
   if (!tree.node(node).is_mixed()) return bound;
-  const auto of = [&](std::uint32_t i) {
-    return std::visit([&](const auto& lobe) { return LightcutsRules::bound(tree, i, point, lobe); },
-                      point.material().lobe);
-  };
   const std::uint32_t child = tree.node(node).first_child;
-  return glm::max(of(child), of(child + 1));
+  return glm::max(contribution_bound(tree, child, point),
+                  contribution_bound(tree, child + 1, point));
 }
 
 struct HalvedOnFaces : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     const double max_cosine_falloff = Library::max_cosine_falloff(kind, n, from, box, d2);
     for (int i = 0; i < 3; ++i)
       if (box.lo[i] < box.hi[i] && (from[i] == box.lo[i] || from[i] == box.hi[i]))
@@ -50,8 +46,8 @@ struct HalvedOnFaces : Library {
 };
 
 struct NormalTakenForUnit : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     const double length = glm::length(glm::dvec3(n));
     return Library::max_cosine_falloff(kind, n, from, box, d2) *
            length; // divided out later: once too seldom
@@ -59,24 +55,25 @@ struct NormalTakenForUnit : Library {
 };
 
 struct ClampOnePerMille : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     return Library::max_cosine_falloff(kind, n, from, box, 1.001 * d2);
   }
 };
 
 struct ConeOneInAMillion : Library {
-  static double emission(const LightTree& tree, std::uint32_t i, LightKind kind,
-                         const glm::vec3& from) {
+  double max_emission(const LightTree& tree, std::uint32_t i, LightKind kind,
+                      const glm::vec3& from) const override {
     ClusterEmission e = tree.emission(i);
     e.cone.chord2 *= 1 - 2e-6F; // the square
-    return max_emission(kind, e, from, tree.node(i).box);
+    return visit_kind(
+        kind, [&]<class Kind>(Kind) { return Kind::max_emission(e, from, tree.node(i).box); });
   }
 };
 
 struct BoxOneUlpShort : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     Box shorter = box;
     if (box.lo.x < box.hi.x) shorter.hi.x = std::nextafter(box.hi.x, box.lo.x);
     return Library::max_cosine_falloff(kind, n, from, shorter, d2);
@@ -85,8 +82,8 @@ struct BoxOneUlpShort : Library {
 
 /// Corners and the ray along the normal, but only eleven of the twelve edges.
 struct OneEdgeForgotten : Library {
-  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double d2) {
+  double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                            const Box& box, double d2) const override {
     Box edge = box; // the one along x at the lowest y and z
     edge.hi.y = edge.lo.y;
     edge.hi.z = edge.lo.z;
@@ -98,16 +95,16 @@ struct OneEdgeForgotten : Library {
   }
 };
 
-struct ThresholdOnePercentLoose : LightcutsRules {
+struct ThresholdOnePercentLoose : StoppingRule {
   static bool obeys(const glm::vec3& bound, const glm::dvec3& total, const CutConfig& config) {
-    return LightcutsRules::obeys(bound / 1.01F, total, config);
+    return StoppingRule::obeys(bound / 1.01F, total, config);
   }
 };
 
 /// Two channels of three.
-struct BlueIgnored : LightcutsRules {
+struct BlueIgnored : StoppingRule {
   static bool obeys(const glm::vec3& bound, const glm::dvec3& total, const CutConfig& config) {
-    return LightcutsRules::obeys({bound.r, bound.g, 0}, total, config);
+    return StoppingRule::obeys({bound.r, bound.g, 0}, total, config);
   }
 };
 
@@ -116,7 +113,7 @@ class LowerBoundOneUlpUp : public CopiedPerThread<LowerBoundOneUlpUp> {
 public:
   using CopiedPerThread<LowerBoundOneUlpUp>::CopiedPerThread;
   glm::vec3 lower_bound(std::uint32_t node, const ShadingPoint& point) override {
-    glm::vec3 low = RulesTree::lower_bound(node, point);
+    glm::vec3 low = LibraryTree::lower_bound(node, point);
     for (int c = 0; c < 3; ++c)
       if (low[c] > 0) low[c] = std::nextafter(low[c], 2 * low[c]);
     return low;
@@ -128,7 +125,7 @@ public:
   using CopiedPerThread<CertifiedWithoutRounding>::CopiedPerThread;
   Cut select(const ShadingPoint& point, const CutConfig& config,
              const std::function<bool(std::uint32_t)>& visible) override {
-    Cut cut = RulesTree::select(point, config, visible);
+    Cut cut = LibraryTree::select(point, config, visible);
     glm::dvec3 bounds(0);
     for (const CutCluster& c : cut.clusters) bounds += glm::dvec3(c.bound);
     for (int c = 0; c < 3; ++c) cut.certified_error[c] = round_up(bounds[c]);
@@ -137,15 +134,15 @@ public:
 };
 
 /// Totals of clusters kept as floats.
-class IntensityInFloats : public RulesSubject<LightcutsRules> {
+class IntensityInFloats : public KernelSubject {
 public:
-  using RulesSubject::RulesSubject;
+  using KernelSubject::KernelSubject;
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
     const LightTree tree = lightcuts::build(lights, {seed});
     std::vector<TreeNode> nodes(tree.nodes().begin(), tree.nodes().end());
     for (TreeNode& node : nodes) node.intensity = glm::dvec3(glm::vec3(node.intensity));
-    return std::make_unique<RulesTree<LightcutsRules>>(LightTree(lights, std::move(nodes)));
+    return std::make_unique<LibraryTree>(LightTree(lights, std::move(nodes)));
   }
 };
 
@@ -155,7 +152,7 @@ std::unique_ptr<Subject> intensity_in_floats(const char* name) {
 
 constexpr Mutant catalogue[] = {
     {"bound-one-ulp-down", "the bound is the float below the right one",
-     with_bounds<Altered<one_ulp_down>>},
+     with_kernel<Altered<one_ulp_down>>},
     {"bound-halved-on-faces", "the bound is right but where the point lies in the plane of a face",
      with_suprema<HalvedOnFaces>},
     {"normal-taken-for-unit", "does not divide by the normal's length, which is 1 to a millionth",
@@ -169,11 +166,10 @@ constexpr Mutant catalogue[] = {
     {"one-edge-forgotten", "looks for the largest n.l/d^2 on eleven of the box's twelve edges",
      with_suprema<OneEdgeForgotten>},
     {"mixed-by-larger", "bounds lights of several kinds by the brighter kind",
-     with_bounds<Altered<larger_of_mixed>>},
+     with_kernel<Altered<larger_of_mixed>>},
     {"threshold-one-percent-loose", "stops at 1.01 times the threshold",
-     with_stop_test<ThresholdOnePercentLoose>},
-    {"blue-ignored", "compares two channels of three with the threshold",
-     with_stop_test<BlueIgnored>},
+     with_rule<ThresholdOnePercentLoose>},
+    {"blue-ignored", "compares two channels of three with the threshold", with_rule<BlueIgnored>},
     {"lower-bound-one-ulp-up", "the lower bound is the float above the right one",
      with_tree<LowerBoundOneUlpUp>},
     {"certified-without-rounding", "the certified error leaves rounding out",

@@ -14,12 +14,12 @@ namespace {
 
 /// The library with a tree that something has been done to.
 template <LightTree build_altered(const LightSet& lights, std::uint64_t seed)>
-class OtherTree : public RulesSubject<LightcutsRules> {
+class OtherTree : public KernelSubject {
 public:
-  using RulesSubject::RulesSubject;
+  using KernelSubject::KernelSubject;
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
-    return std::make_unique<RulesTree<LightcutsRules>>(build_altered(lights, seed));
+    return std::make_unique<LibraryTree>(build_altered(lights, seed));
   }
 };
 
@@ -91,25 +91,25 @@ LightTree by_metric(const LightSet& lights, std::uint64_t seed) {
 
 // ---- lights lost or counted twice: a tree over other lights
 
-class RelabelledTree : public RulesTree<LightcutsRules> {
+class RelabelledTree : public LibraryTree {
 public:
   /// Light i of the tree is light original[i] of the scene.
   RelabelledTree(std::shared_ptr<const LightTree> tree, std::vector<std::uint32_t> original)
-      : RulesTree(std::move(tree)), original_(std::move(original)) {}
+      : LibraryTree(std::move(tree)), original_(std::move(original)) {}
 
   [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
     return std::make_unique<RelabelledTree>(shared_tree(), original_);
   }
   [[nodiscard]] TreeClaim claim() const override {
-    TreeClaim claim = RulesTree::claim();
+    TreeClaim claim = LibraryTree::claim();
     for (auto& node : claim.nodes) node.representative = original_[node.representative];
     for (auto& light : claim.lights) light = original_[light];
     return claim;
   }
   Cut select(const ShadingPoint& point, const CutConfig& config,
              const std::function<bool(std::uint32_t)>& visible) override {
-    return RulesTree::select(point, config,
-                             [&](std::uint32_t light) { return visible(original_[light]); });
+    return LibraryTree::select(point, config,
+                               [&](std::uint32_t light) { return visible(original_[light]); });
   }
 
 private:
@@ -118,9 +118,9 @@ private:
 
 /// The library, over those lights of the scene.
 template <std::vector<std::uint32_t> chosen(const LightSet& lights)>
-class OtherLights : public RulesSubject<LightcutsRules> {
+class OtherLights : public KernelSubject {
 public:
-  using RulesSubject::RulesSubject;
+  using KernelSubject::KernelSubject;
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
     std::vector<std::uint32_t> original = chosen(lights);

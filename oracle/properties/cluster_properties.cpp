@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <lightcuts/core/kernels/error_bound.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
 #include <oracle/properties/point_properties.h>
 
 namespace lightcuts::oracle {

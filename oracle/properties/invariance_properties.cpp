@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <lightcuts/core/cut/certified_error.h>
+#include <lightcuts/core/kernels/cluster_bound.h>
 #include <oracle/properties/case_properties.h>
 
 namespace lightcuts::oracle {

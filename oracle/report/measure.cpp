@@ -11,9 +11,7 @@
 #include <tbb/task_arena.h>
 
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/core/methods/no_specular_bound_rules.h>
-#include <lightcuts/core/methods/paper_rules.h>
-#include <lightcuts/core/methods/unscaled_rules.h>
+#include <lightcuts/core/methods/paper.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <oracle/cases/random_pixels.h>
 #include <oracle/report/image_error.h>
@@ -41,13 +39,13 @@ std::vector<Row> rows_to_run(const SceneView& view, const LightTree& tree,
   std::vector<Row> rows;
   // The reference comes first: everything is compared with it, asked for or not.
   const CutConfig exact{0, config.max_cut, black_level};
-  rows.push_back({{.method = Method::reference, .cut = exact, .threads = config.threads}, {}, {}});
+  rows.push_back({{.method = methods::reference, .cut = exact, .threads = config.threads}, {}, {}});
   for (const Method method : config.methods)
     for (const float threshold : config.thresholds) {
-      if (method == Method::reference) break;
+      if (method == methods::reference) break;
       const CutConfig cut{threshold, config.max_cut, black_level};
       const bool use_tree =
-          method != Method::lightcuts || find_scene_features(view, tree, cut).tree;
+          method != methods::lightcuts || find_scene_features(view, tree, cut).tree;
       rows.push_back({{.method = method,
                        .cut = cut,
                        .use_tree = use_tree,
@@ -60,7 +58,7 @@ std::vector<Row> rows_to_run(const SceneView& view, const LightTree& tree,
 }
 
 bool leaves_tree_out(const Row& row) {
-  return row.config.method == Method::lightcuts && !row.config.use_tree;
+  return row.config.method == methods::lightcuts && !row.config.use_tree;
 }
 
 void throw_if_cancelled(const MeasureConfig& config) {
@@ -105,16 +103,12 @@ struct SampledRow {
 
 /// The tree as that method uses it, which draws nothing: drawn estimates have no clairvoyant cut.
 std::unique_ptr<SubjectTree> tree_of(Method method, const LightTree& tree) {
-  if (method == Method::paper) return std::make_unique<RulesTree<PaperRules>>(tree);
-  if (method == Method::unscaled) return std::make_unique<RulesTree<UnscaledRules>>(tree);
-  if (method == Method::no_specular_bound)
-    return std::make_unique<RulesTree<NoSpecularBoundRules>>(tree);
-  return std::make_unique<RulesTree<LightcutsRules>>(tree);
+  return std::make_unique<LibraryTree>(tree, library_kernel(all_light_kinds, method->rules));
 }
 
 /// Whether a row has cuts that do not draw, which is what can be compared.
 bool has_clairvoyant_cut(const Row& row) {
-  return row.config.method != Method::reference && !is_stochastic(row.config.method);
+  return row.config.method != methods::reference && !row.config.method->draws;
 }
 
 /// Of those rows that have a clairvoyant cut, in their order: cut sizes over random points, whose
@@ -158,10 +152,10 @@ std::vector<SampledRow> sample_sizes(const SceneView& view, const LightTree& tre
 Run summary(const Row& row, const Row& reference, double build_seconds) {
   const Rendering& p = row.picture;
   const CutConfig& cut = row.config.cut;
-  const bool exact = row.config.method == Method::reference;
+  const bool exact = row.config.method == methods::reference;
   const ImageError e = compare(p, reference.picture, cut.threshold, cut.black_level);
   Run run;
-  run.method = name_of(row.config.method);
+  run.method = row.config.method->name;
   run.threshold = std::stod(fmt::format("{}", cut.threshold)); // 0.02, not 0.0199999996
   run.build_seconds = exact || !row.config.use_tree ? 0 : build_seconds;
   run.render_seconds = median(row.seconds);
@@ -186,9 +180,10 @@ Run summary(const Row& row, const Row& reference, double build_seconds) {
 /// methods else.
 const Row& row_to_show(const std::vector<Row>& rows, float threshold) {
   const auto rank = [threshold](const Row& row) {
-    const Method method = row.config.method;
     // As all_methods has them, the best last.
-    return std::pair(-int(method), std::abs(row.config.cut.threshold - threshold));
+    const auto* place =
+        std::find(std::begin(all_methods), std::end(all_methods), row.config.method);
+    return std::pair(std::end(all_methods) - place, std::abs(row.config.cut.threshold - threshold));
   };
   return *std::min_element(rows.begin(), rows.end(),
                            [&](const Row& a, const Row& b) { return rank(a) < rank(b); });
@@ -278,7 +273,7 @@ Measurement measure(const SceneView& view, const MeasureConfig& config) {
   const std::vector<SampledRow> sampled = sample_sizes(view, tree, rows, config);
   auto sizes = sampled.begin();
   const bool shows_reference = std::find(config.methods.begin(), config.methods.end(),
-                                         Method::reference) != config.methods.end();
+                                         methods::reference) != config.methods.end();
   for (const Row& row : rows) {
     Run run = summary(row, rows.front(), build_seconds);
     if (has_clairvoyant_cut(row)) {
@@ -287,7 +282,7 @@ Measurement measure(const SceneView& view, const MeasureConfig& config) {
                            (leaves_tree_out(row) ? double(tree.lights().size()) : sizes->actual);
       ++sizes;
     }
-    if (row.config.method != Method::reference || shows_reference) m.report.runs.push_back(run);
+    if (row.config.method != methods::reference || shows_reference) m.report.runs.push_back(run);
   }
   const Row& shown = row_to_show(rows, threshold);
   m.shown = shown.picture;

@@ -16,7 +16,7 @@ namespace lightcuts::oracle {
 struct MeasureConfig {
   std::uint64_t seed = 1;
   Builder builder = Builder::greedy; ///< of the light tree
-  std::vector<Method> methods{Method::reference, Method::lightcuts};
+  std::vector<Method> methods{methods::reference, methods::lightcuts};
   std::vector<float> thresholds{0.01F, 0.02F, 0.04F, 0.08F}; ///< of the methods that have one
   std::uint32_t max_cut = default_max_cut;
   unsigned threads = 0;                 ///< 0: one per core

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/subjects/library_subject.h>
 
-#include <lightcuts/core/methods/paper_rules.h>
-#include <oracle/subjects/rules_subject.h>
+#include <lightcuts/core/methods/paper.h>
+#include <lightcuts/render/view/renderer.h>
 
 namespace lightcuts::oracle {
 
@@ -26,13 +26,36 @@ TreeClaim claim_of(const LightTree& tree) {
   return claim;
 }
 
+SharedKernel library_kernel(LightKinds kinds, const ClusterRules& rules) {
+  return {&kernel_for(kinds, rules), [](const ClusterKernel*) {}}; // the library keeps it
+}
+
+std::unique_ptr<SubjectTree> KernelSubject::build(const LightSet& lights,
+                                                  std::uint64_t seed) const {
+  return std::make_unique<LibraryTree>(lightcuts::build(lights, {seed}), kernel_);
+}
+
+bool KernelSubject::refined_before(double bound, double other) const {
+  return StoppingRule::refined_before(bound, other);
+}
+
+bool KernelSubject::sees(const SceneView& view, const VisiblePoint& from,
+                         std::uint32_t light) const {
+  return view.sees(from, light);
+}
+
+Rendering KernelSubject::render(const SceneView& view, const LightTree& tree,
+                                const RenderConfig& config) const {
+  return lightcuts::render(view, tree, config);
+}
+
 namespace {
 
 template <class Importance>
-class LibrarySubject : public RulesSubject<LightcutsRules, Importance> {
+class LibrarySubject : public KernelSubject {
 public:
   explicit LibrarySubject(std::string name, Builder builder = Builder::greedy)
-      : RulesSubject<LightcutsRules, Importance>(std::move(name)), builder_(builder) {}
+      : KernelSubject(std::move(name)), builder_(builder) {}
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
     return std::make_unique<BatchedTree<Importance>>(lightcuts::build(lights, {seed, builder_}));
@@ -45,12 +68,12 @@ private:
 } // namespace
 
 std::unique_ptr<Subject> library_subject() {
-  return std::make_unique<LibrarySubject<HierarchicalImportance<AnyFeatures>>>("lightcuts");
+  return std::make_unique<LibrarySubject<HierarchicalImportance>>("lightcuts");
 }
 
 std::unique_ptr<Subject> locally_ordered_subject() {
-  return std::make_unique<LibrarySubject<HierarchicalImportance<AnyFeatures>>>(
-      name_of(Builder::locally_ordered), Builder::locally_ordered);
+  return std::make_unique<LibrarySubject<HierarchicalImportance>>(name_of(Builder::locally_ordered),
+                                                                  Builder::locally_ordered);
 }
 
 std::unique_ptr<Subject> stochastic_intensity_subject() {
@@ -58,7 +81,8 @@ std::unique_ptr<Subject> stochastic_intensity_subject() {
 }
 
 std::unique_ptr<Subject> paper_subject() {
-  return std::make_unique<RulesSubject<PaperRules>>("paper");
+  return std::make_unique<KernelSubject>(methods::paper.name,
+                                         library_kernel(all_light_kinds, methods::paper.rules));
 }
 
 } // namespace lightcuts::oracle

@@ -6,12 +6,12 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include <lightcuts/core/cut/cut_selector.h>
 #include <lightcuts/core/cut/light_sampling.h>
 #include <lightcuts/core/cut/stochastic_cut.h>
-#include <lightcuts/core/kernels/contribution_bounds.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
 #include <lightcuts/core/tree/light_tree.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <oracle/subjects/subject.h>
@@ -21,52 +21,64 @@ namespace lightcuts::oracle {
 /// What a LightTree says of itself.
 [[nodiscard]] TreeClaim claim_of(const LightTree& tree);
 
-/// A tree of the library with the given rules: LightcutsRules, PaperRules, or a mutant's; lights
-/// are drawn by Importance.
-template <class Rules, class Importance = HierarchicalImportance<AnyFeatures>>
-class RulesTree : public SubjectTree {
+/// A kernel of a subject, shared by the threads that judge it.
+using SharedKernel = std::shared_ptr<const ClusterKernel>;
+
+/// The library's own by these rules.
+[[nodiscard]] SharedKernel library_kernel(LightKinds kinds, const ClusterRules& rules = {});
+
+/// A cut loop for each configuration that is asked for: a loop keeps its memory from call to call.
+template <class Rule>
+class CutLoops {
 public:
-  explicit RulesTree(LightTree tree, Rules rules = {})
-      : tree_(std::make_shared<const LightTree>(std::move(tree))), rules_(std::move(rules)) {}
+  CutLoop<Rule>& with(const CutConfig& config, const LightTree& tree, const ClusterKernel& kernel) {
+    for (auto& [known, loop] : loops_)
+      if (known == config) return loop;
+    return loops_.emplace_back(config, CutLoop<Rule>(tree, config, kernel)).second;
+  }
+
+private:
+  std::vector<std::pair<CutConfig, CutLoop<Rule>>> loops_;
+};
+
+/// A tree of the library with its own kernel or another one; lights are drawn by Importance.
+template <class Importance>
+class BasicLibraryTree : public SubjectTree {
+public:
+  explicit BasicLibraryTree(LightTree tree, SharedKernel kernel = {})
+      : BasicLibraryTree(std::make_shared<const LightTree>(std::move(tree)), std::move(kernel)) {}
+  /// Of trees that share all but what a thread needs for itself. No kernel: the library's.
+  explicit BasicLibraryTree(std::shared_ptr<const LightTree> tree, SharedKernel kernel = {})
+      : tree_(std::move(tree)),
+        kernel_(kernel ? std::move(kernel) : library_kernel(tree_->lights().kinds())) {}
 
   [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<RulesTree>(tree_, rules_);
+    return std::make_unique<BasicLibraryTree>(tree_, kernel_);
   }
   [[nodiscard]] TreeClaim claim() const override { return claim_of(*tree_); }
   [[nodiscard]] const LightTree* library_tree() const override { return tree_.get(); }
 
   glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) override {
-    return std::visit([&](const auto& lobe) { return rules_.bound(*tree_, node, point, lobe); },
-                      point.material().lobe);
+    return kernel_->bound(*tree_, node, point);
   }
   glm::vec3 lower_bound(std::uint32_t node, const ShadingPoint& point) override {
-    return contribution_lower_bound(*tree_, node, point);
+    return kernel_->lower_bound(*tree_, node, point);
   }
   glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
                       const glm::vec3& bound) override {
-    return std::visit(
-        [&](const auto& lobe) { return rules_.estimate(*tree_, node, point, lobe, bound); },
-        point.material().lobe);
+    return kernel_->estimate(*tree_, node, point, bound);
   }
   Cut select(const ShadingPoint& point, const CutConfig& config,
              const std::function<bool(std::uint32_t)>& visible) override {
-    return selector(config)(point, visible);
+    return loops_.with(config, *tree_, *kernel_)(point, visible);
   }
 
   DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
-    return std::visit(
-        [&](const auto& lobe) -> DrawnLight {
-          const LightSample s = sample_light(Importance(), *tree_, node, point, lobe, u);
-          return {s.light, s.probability};
-        },
-        point.material().lobe);
+    const LightSample s = sample_light(Importance(), *tree_, node, point, u);
+    return {s.light, s.probability};
   }
   double probability(std::uint32_t node, const ShadingPoint& point, std::uint32_t light) override {
-    return std::visit(
-        [&](const auto& lobe) {
-          return light_probability(Importance(), *tree_, node, light, point, lobe);
-        },
-        point.material().lobe);
+    return light_probability(Importance(), *tree_, node, light, point);
   }
   Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
            const std::function<bool(std::uint32_t)>& visible) override {
@@ -75,37 +87,28 @@ public:
     return random_->second(point, query, visible);
   }
 
-  /// Of trees that share all but what a thread needs for itself.
-  explicit RulesTree(std::shared_ptr<const LightTree> tree, Rules rules = {})
-      : tree_(std::move(tree)), rules_(std::move(rules)) {}
-
 protected:
   [[nodiscard]] const LightTree& tree() const { return *tree_; }
   [[nodiscard]] const std::shared_ptr<const LightTree>& shared_tree() const { return tree_; }
-  [[nodiscard]] Rules& rules() { return rules_; }
+  [[nodiscard]] const SharedKernel& kernel() const { return kernel_; }
 
 private:
-  // A selector keeps its memory from call to call.
-  BasicCutSelector<Rules>& selector(const CutConfig& config) {
-    for (auto& [known, selector] : selectors_)
-      if (known == config) return selector;
-    return selectors_.emplace_back(config, BasicCutSelector<Rules>(*tree_, config, rules_)).second;
-  }
-
   std::shared_ptr<const LightTree> tree_;
-  Rules rules_;
-  std::vector<std::pair<CutConfig, BasicCutSelector<Rules>>> selectors_;
+  SharedKernel kernel_;
+  CutLoops<StoppingRule> loops_;
   // The choice of a cut by the library's rules: only what is drawn is random.
-  using RandomSelector = BasicStochasticCutSelector<LightcutsRules, Importance>;
+  using RandomSelector = BasicStochasticCutSelector<Importance>;
   std::optional<std::pair<CutConfig, RandomSelector>> random_;
 };
 
+using LibraryTree = BasicLibraryTree<HierarchicalImportance>;
+
 /// The library's own: the same answers, sooner where there are many at once. Not to be derived
 /// from: it would go on answering these itself.
-template <class Importance = HierarchicalImportance<AnyFeatures>>
-class BatchedTree final : public RulesTree<LightcutsRules, Importance> {
+template <class Importance = HierarchicalImportance>
+class BatchedTree final : public BasicLibraryTree<Importance> {
 public:
-  using RulesTree<LightcutsRules, Importance>::RulesTree;
+  using BasicLibraryTree<Importance>::BasicLibraryTree;
   [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
     return std::make_unique<BatchedTree>(this->shared_tree());
   }
@@ -115,28 +118,48 @@ public:
   std::vector<double> probabilities(std::uint32_t node, const ShadingPoint& point,
                                     std::span<const std::uint32_t> lights) override {
     std::unordered_map<std::uint32_t, double> known;
-    std::visit(
-        [&](const auto& lobe) {
-          visit_probabilities(Importance(), this->tree(), node, point, lobe,
-                              [&](std::uint32_t light, double p) { known[light] = p; });
-        },
-        point.material().lobe);
+    visit_probabilities(Importance(), this->tree(), node, point,
+                        [&](std::uint32_t light, double p) { known[light] = p; });
     std::vector<double> result;
     for (const std::uint32_t light : lights) result.push_back(known[light]);
     return result;
   }
 };
 
+/// The library, or, with another kernel, what a mutant derives from to put one thing of its own in
+/// place.
+class KernelSubject : public Subject {
+public:
+  static constexpr Parts all_parts = (1U << unsigned(part_count)) - 1;
+
+  explicit KernelSubject(std::string name, SharedKernel kernel = {})
+      : name_(std::move(name)), kernel_(std::move(kernel)) {}
+
+  [[nodiscard]] const std::string& name() const override { return name_; }
+  [[nodiscard]] Parts parts() const override { return all_parts; }
+  [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
+                                                   std::uint64_t seed) const override;
+  [[nodiscard]] bool refined_before(double bound, double other) const override;
+  [[nodiscard]] bool sees(const SceneView& view, const VisiblePoint& from,
+                          std::uint32_t light) const override;
+  [[nodiscard]] Rendering render(const SceneView& view, const LightTree& tree,
+                                 const RenderConfig& config) const override;
+
+private:
+  std::string name_;
+  SharedKernel kernel_;
+};
+
 /// The library, by name "lightcuts".
 [[nodiscard]] std::unique_ptr<Subject> library_subject();
 
-/// The same on trees of Builder::locally_ordered, by name "locally-ordered".
+/// The library on trees of Builder::locally_ordered, by name "locally-ordered".
 [[nodiscard]] std::unique_ptr<Subject> locally_ordered_subject();
 
 /// The library, drawing lights by intensity alone, by name "stochastic-intensity".
 [[nodiscard]] std::unique_ptr<Subject> stochastic_intensity_subject();
 
-/// Method::paper.
+/// The library by the rules of the method of that name: "paper".
 [[nodiscard]] std::unique_ptr<Subject> paper_subject();
 
 } // namespace lightcuts::oracle

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include <glm/vec3.hpp>
-#include <lightcuts/core/kernels/contribution.h>
+#include <lightcuts/core/kernels/transfer.h>
 #include <oracle/truth/lobes.h>
 
 namespace lightcuts::oracle {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <lightcuts/core/kernels/contribution.h>
+#include <lightcuts/core/kernels/transfer.h>
 #include <oracle/truth/lobes.h>
 
 namespace lightcuts::oracle {
@@ -40,7 +40,7 @@ struct MidpointRule {
         const Sight sight(point, LightKind::directional, l);
         if (sight.below_horizon()) continue;
         const double share =
-            reflected<AnyFeatures>(point, lobe, sight, LightKind::directional, 0).x /
+            reflected(point, lobe, sight, LightKind::directional, 0).x /
             density(glm::normalize(glm::dvec3(l)));
         mean += share * weight;
         largest = std::max(largest, share);

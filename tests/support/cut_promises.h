@@ -93,12 +93,14 @@ inline bool leaves_are_exact(const LightTree& tree, const Cut& cut) {
 
 } // namespace promises
 
-/// The first promise of BasicCutSelector that the rules break in this case; empty if they keep all.
-template <class Rules>
-std::string broken_promise(const CutCase& given) {
+/// The first promise of CutLoop that is broken in this case by the kernel and the stopping rule;
+/// empty if all are kept.
+template <class Rule = StoppingRule>
+std::string broken_promise(const CutCase& given,
+                           const ClusterKernel& kernel = kernel_for(all_light_kinds)) {
   const LightTree tree = build(given.scene.light_set());
   const ShadingPoint point = given.scene.view.point();
-  BasicCutSelector<Rules> select(tree, given.config);
+  CutLoop<Rule> select(tree, given.config, kernel);
   std::vector<int> calls(tree.lights().size());
   const Cut cut = select(point, [&](std::uint32_t i) {
     ++calls[i];

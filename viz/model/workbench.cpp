@@ -19,7 +19,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 /// The reference has no cut: that of lightcuts is looked at, by the chosen settings.
 Method inspected_method(const DisplayMethod& display) {
-  return display.method() == Method::reference ? Method::lightcuts : display.method();
+  return display.method() == methods::reference ? methods::lightcuts : display.method();
 }
 
 } // namespace
@@ -155,19 +155,19 @@ const Camera& Workbench::camera() const {
 FrameKey Workbench::key_of(Method method) const {
   FrameKey key{scene_, method, state.shading, camera()};
   // What does not matter to a method does not make another picture of it.
-  if (method != Method::lightcuts) {
+  if (method != methods::lightcuts) {
     key.settings.rules = {};
     key.settings.tree_use = TreeUse::automatic;
   }
-  if (!is_stochastic(method)) key.settings.seed = 1;
-  if (method == Method::reference) key.settings = {};
+  if (!method->draws) key.settings.seed = 1;
+  if (method == methods::reference) key.settings = {};
   return key;
 }
 
 LayerSources Workbench::sources(const DisplayMethod& display, Layer layer) {
   LayerSources sources;
   sources.frame = queue_.frame(key_of(display.method()));
-  if (needs_reference(layer)) sources.reference = queue_.frame(key_of(Method::reference));
+  if (needs_reference(layer)) sources.reference = queue_.frame(key_of(methods::reference));
   if (needs_truth(layer)) sources.truth = queue_.truth(key_of(display.method()));
   return sources;
 }
@@ -177,10 +177,10 @@ std::vector<std::shared_ptr<Picture>> Workbench::wanted_pictures() {
   const auto want = [&](const DisplayMethod& display) {
     if (display.is_raster() && state.layer == Layer::image) return;
     if (!needs_truth(state.layer)) wanted.push_back(queue_.frame(key_of(display.method())));
-    if (needs_reference(state.layer)) wanted.push_back(queue_.frame(key_of(Method::reference)));
+    if (needs_reference(state.layer)) wanted.push_back(queue_.frame(key_of(methods::reference)));
     if (needs_truth(state.layer)) wanted.push_back(queue_.truth(key_of(display.method())));
   };
-  if (wants_reference) want(Method::reference);
+  if (wants_reference) want(methods::reference);
   want(state.display);
   if (state.split) want(state.compared);
   return wanted;

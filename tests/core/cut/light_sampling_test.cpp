@@ -27,30 +27,19 @@ struct Draw {
   ShadingPoint point = scene.view.point();
 
   [[nodiscard]] LightSample sample(std::uint32_t node, double u) const {
-    return std::visit(
-        [&](const auto& lobe) { return sample_light(Importance(), tree, node, point, lobe, u); },
-        point.material().lobe);
+    return sample_light(Importance(), tree, node, point, u);
   }
   [[nodiscard]] Probabilities probabilities(std::uint32_t node) const {
     Probabilities result;
-    std::visit(
-        [&](const auto& lobe) {
-          visit_probabilities(Importance(), tree, node, point, lobe,
-                              [&](std::uint32_t i, double p) { result[i] = p; });
-        },
-        point.material().lobe);
+    visit_probabilities(Importance(), tree, node, point,
+                        [&](std::uint32_t i, double p) { result[i] = p; });
     return result;
   }
   [[nodiscard]] double probability(std::uint32_t node, std::uint32_t light) const {
-    return std::visit(
-        [&](const auto& lobe) {
-          return light_probability(Importance(), tree, node, light, point, lobe);
-        },
-        point.material().lobe);
+    return light_probability(Importance(), tree, node, light, point);
   }
   [[nodiscard]] ChildShares shares(std::uint32_t node) const {
-    return std::visit([&](const auto& lobe) { return Importance::shares(tree, node, point, lobe); },
-                      point.material().lobe);
+    return Importance::shares(tree, node, point);
   }
   [[nodiscard]] glm::dvec3 contribution(std::uint32_t light) const {
     const Light& l = tree.lights()[light];
@@ -83,7 +72,7 @@ double sum_of(const Probabilities& probabilities) {
 template <class Importance>
 class LightSampling : public testing::Test {};
 
-using Importances = testing::Types<IntensityImportance, HierarchicalImportance<>>;
+using Importances = testing::Types<IntensityImportance, HierarchicalImportance>;
 TYPED_TEST_SUITE(LightSampling, Importances);
 
 template <class Check>
@@ -198,7 +187,7 @@ TEST(SampleLight, KeepsRandomNumbersBelowOne) {
   gen::Dice dice(1);
   for (int i = 0; i < 10000; ++i) {
     const RootShare importance{std::ldexp(dice.uniform(0.5, 1), -dice.below(12))};
-    const LightSample last = sample_light(importance, tree, 0, point, NoLobe(), 1 - 0x1p-53);
+    const LightSample last = sample_light(importance, tree, 0, point, 1 - 0x1p-53);
     EXPECT_EQ(last.probability, 1 - importance.first);
   }
 }
@@ -238,45 +227,45 @@ TEST(IntensityImportance, AsksForTheIntensityAlone) {
 
 TEST(HierarchicalImportance, WeighsByIntensityOverSquaredDistance) {
   const double share =
-      share_of_first<HierarchicalImportance<>>({omni({0, 0, 1}), omni({0, 0, 2}, 12)});
+      share_of_first<HierarchicalImportance>({omni({0, 0, 1}), omni({0, 0, 2}, 12)});
   EXPECT_NEAR(share, 0.25, bound_excess);
 }
 
 TEST(HierarchicalImportance, ClampsTheDistance) {
-  const double share = share_of_first<HierarchicalImportance<>>(
-      {omni({0, 0, 1}), omni({0, 0, 2}, 3)}, {glm::vec3(1)}, 8);
+  const double share = share_of_first<HierarchicalImportance>({omni({0, 0, 1}), omni({0, 0, 2}, 3)},
+                                                              {glm::vec3(1)}, 8);
   EXPECT_NEAR(share, 0.25, bound_excess);
 }
 
 TEST(HierarchicalImportance, WeighsByCosineAndLobe) {
   const std::vector<Light> lights{omni({0, 0, 5}), omni({3, 0, 4})};
-  EXPECT_NEAR(share_of_first<HierarchicalImportance<>>(lights), 1 / 1.8, bound_excess);
+  EXPECT_NEAR(share_of_first<HierarchicalImportance>(lights), 1 / 1.8, bound_excess);
   const Material shiny{glm::vec3(0), Phong{glm::vec3(1), 2}};
-  EXPECT_NEAR(share_of_first<HierarchicalImportance<>>(lights, shiny), 1 / (1 + 0.8 * 0.64),
+  EXPECT_NEAR(share_of_first<HierarchicalImportance>(lights, shiny), 1 / (1 + 0.8 * 0.64),
               4 * bound_excess);
 }
 
 TEST(HierarchicalImportance, NeverDrawsLightsBelowTheHorizonOrFacingAway) {
-  EXPECT_EQ(share_of_first<HierarchicalImportance<>>({omni({0, 0, -1}), omni({0, 0, 2})}), 0);
+  EXPECT_EQ(share_of_first<HierarchicalImportance>({omni({0, 0, -1}), omni({0, 0, 2})}), 0);
   Light away = omni({0, 0, 1});
   away.kind = LightKind::oriented;
   away.axis = {0, 0, 1};
   Light facing = away;
   facing.axis = {0, 0, -1};
-  EXPECT_EQ(share_of_first<HierarchicalImportance<>>({away, facing}), 0);
+  EXPECT_EQ(share_of_first<HierarchicalImportance>({away, facing}), 0);
 }
 
 TEST(HierarchicalImportance, OfDirectionalLightsHasNoDistance) {
   Light sun{.kind = LightKind::directional, .position = {0, 0, 1}, .intensity = glm::vec3(1)};
   Light dim = sun;
   dim.intensity = glm::vec3(3);
-  EXPECT_NEAR(share_of_first<HierarchicalImportance<>>({sun, dim}), 0.25, bound_excess);
+  EXPECT_NEAR(share_of_first<HierarchicalImportance>({sun, dim}), 0.25, bound_excess);
 }
 
 // W/sr over m^2 against W/m^2.
 TEST(HierarchicalImportance, ComparesKindsByTheirIrradiance) {
   const Light sun{.kind = LightKind::directional, .position = {0, 0, 1}, .intensity = glm::vec3(3)};
-  EXPECT_NEAR(share_of_first<HierarchicalImportance<>>({omni({0, 0, 2}, 4), sun}), 0.25,
+  EXPECT_NEAR(share_of_first<HierarchicalImportance>({omni({0, 0, 2}, 4), sun}), 0.25,
               bound_excess);
 }
 
@@ -286,7 +275,7 @@ TEST(HierarchicalImportance, LeavesDistancesOutWhereOneIsBelowTheDiagonal) {
     const gen::Scene scene{
         {omni({-1, 0, distance}), omni({1, 0, distance}), omni({-1, 0, 100}), omni({1, 0, 100})},
         {}};
-    const Draw<HierarchicalImportance<>> draw{scene};
+    const Draw<HierarchicalImportance> draw{scene};
     return draw.probability(0, 0) + draw.probability(0, 1);
   };
   EXPECT_NEAR(share_at(1), 0.5, bound_excess);

@@ -17,7 +17,7 @@
 namespace lightcuts {
 namespace {
 
-using ByIntensity = BasicStochasticCutSelector<LightcutsRules, IntensityImportance>;
+using ByIntensity = BasicStochasticCutSelector<IntensityImportance>;
 
 const auto everything = [](std::uint32_t) { return true; };
 
@@ -145,18 +145,13 @@ struct Moments {
   Moments(const LightTree& tree, const Cut& cut, const ShadingPoint& point) {
     for (const CutCluster& c : cut.clusters) {
       glm::dvec3 first(0), second(0);
-      std::visit(
-          [&](const auto& lobe) {
-            visit_probabilities(
-                Importance(), tree, c.node, point, lobe, [&](std::uint32_t i, double p) {
-                  if (p == 0 || !two_in_three(i)) return;
-                  const Light& light = tree.lights()[i];
-                  const glm::dvec3 f = transfer(point, light) * glm::dvec3(light.intensity);
-                  first += f;
-                  second += f * f / p;
-                });
-          },
-          point.material().lobe);
+      visit_probabilities(Importance(), tree, c.node, point, [&](std::uint32_t i, double p) {
+        if (p == 0 || !two_in_three(i)) return;
+        const Light& light = tree.lights()[i];
+        const glm::dvec3 f = transfer(point, light) * glm::dvec3(light.intensity);
+        first += f;
+        second += f * f / p;
+      });
       mean += first;
       variance += second - first * first;
     }
@@ -165,8 +160,8 @@ struct Moments {
 
 template <class Selector>
 struct ImportanceOf;
-template <class Rules, class Importance>
-struct ImportanceOf<BasicStochasticCutSelector<Rules, Importance>> {
+template <class Importance>
+struct ImportanceOf<BasicStochasticCutSelector<Importance>> {
   using Type = Importance;
 };
 

@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <lightcuts/core/cut/sum_lights.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <tests/support/generators.h>
 
@@ -14,8 +15,7 @@ namespace lightcuts {
 namespace {
 
 glm::dvec3 estimate(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
-  return std::visit([&](const auto& lobe) { return cluster_estimate(tree, node, point, lobe); },
-                    point.material().lobe);
+  return cluster_estimate(tree, node, point, contribution_bound(tree, node, point));
 }
 
 RC_GTEST_PROP(ClusterEstimate, OfALeafIsItsLightsContribution, ()) {

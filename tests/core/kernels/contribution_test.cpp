@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/core/kernels/contribution.h>
+#include <lightcuts/core/kernels/transfer.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/core/lights/emission.h>
+#include <lightcuts/core/kinds/light_kinds.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

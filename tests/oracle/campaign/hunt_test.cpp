@@ -41,18 +41,22 @@ public:
 };
 
 /// An infinite bound of the root: all the rest is refined as ever.
-struct InfiniteRoot : LightcutsRules {
-  template <class OneLobe>
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                         const OneLobe& lobe) {
-    return node == 0 ? glm::vec3(inf) : LightcutsRules::bound(tree, node, point, lobe);
+struct InfiniteRoot : ClusterKernel {
+  [[nodiscard]] glm::vec3 bound(const LightTree& tree, std::uint32_t node,
+                                const ShadingPoint& point) const override {
+    return node == 0 ? glm::vec3(inf) : contribution_bound(tree, node, point);
+  }
+  [[nodiscard]] glm::dvec3 estimate(const LightTree& tree, std::uint32_t node,
+                                    const ShadingPoint& point,
+                                    const glm::vec3& bound) const override {
+    return cluster_estimate(tree, node, point, bound);
   }
 };
 
 /// The same with an order that is none, too.
-class WastefulAndWrong : public RulesSubject<InfiniteRoot> {
+class WastefulAndWrong : public KernelSubject {
 public:
-  WastefulAndWrong() : RulesSubject("wasteful and wrong") {}
+  WastefulAndWrong() : KernelSubject("wasteful and wrong", std::make_shared<InfiniteRoot>()) {}
   [[nodiscard]] bool refined_before(double, double) const override { return true; }
 };
 
@@ -131,7 +135,7 @@ TEST(Hunt, ReportsProgressUpToTheEnd) {
 }
 
 TEST(Hunt, TakesWasteForAFindOnlyWhereAsked) {
-  const auto subject = RulesSubject<InfiniteRoot>("wasteful");
+  const auto subject = KernelSubject("wasteful", std::make_shared<InfiniteRoot>());
   HuntConfig config = config_of(300);
   const HuntResult wasteful = hunt(subject, config);
   ASSERT_TRUE(wasteful.found);

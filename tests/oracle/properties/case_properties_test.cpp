@@ -205,10 +205,10 @@ TEST(VisibilityOnlyDarkens, ConvictsWhatIsNotANumber) {
 
 // ---- refinement-order-is-strict
 
-class Ordering : public RulesSubject<LightcutsRules> {
+class Ordering : public KernelSubject {
 public:
   using Before = bool (*)(double, double);
-  explicit Ordering(Before before) : RulesSubject("ordering"), before_(before) {}
+  explicit Ordering(Before before) : KernelSubject("ordering"), before_(before) {}
   [[nodiscard]] bool refined_before(double bound, double other) const override {
     return before_(bound, other);
   }

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <lightcuts/core/methods/paper_rules.h>
+#include <lightcuts/core/methods/paper.h>
 #include <tests/oracle/support/judged_point.h>
 #include <tests/support/generators.h>
 
@@ -96,7 +96,7 @@ public:
   using BentTree::BentTree;
   glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
                       const glm::vec3& bound) override {
-    return PaperRules::estimate(this->tree(), node, point, NoLobe(), bound);
+    return cluster_estimate(this->tree(), node, point, bound, EstimateRule::representative);
   }
 };
 

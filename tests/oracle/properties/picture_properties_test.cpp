@@ -38,7 +38,7 @@ Case floor_case(bool roof) {
 }
 
 /// The library, but for pictures and occlusion that a test makes of its own.
-class Painter : public RulesSubject<LightcutsRules> {
+class Painter : public KernelSubject {
 public:
   std::function<void(Rendering&)> paint = [](Rendering&) {};
   std::function<bool(bool own, std::uint32_t light)> look = [](bool own, std::uint32_t) {
@@ -46,17 +46,17 @@ public:
   };
   Parts judged = library_parts;
 
-  Painter() : RulesSubject("painter") {}
+  Painter() : KernelSubject("painter") {}
   [[nodiscard]] Parts parts() const override { return judged; }
   [[nodiscard]] Rendering render(const SceneView& view, const LightTree& tree,
                                  const RenderConfig& config) const override {
-    Rendering picture = RulesSubject::render(view, tree, config);
+    Rendering picture = KernelSubject::render(view, tree, config);
     paint(picture);
     return picture;
   }
   [[nodiscard]] bool sees(const SceneView& view, const VisiblePoint& from,
                           std::uint32_t light) const override {
-    return look(RulesSubject::sees(view, from, light), light);
+    return look(KernelSubject::sees(view, from, light), light);
   }
 };
 

@@ -33,7 +33,7 @@ using testing::IsEmpty;
 
 constexpr Parts parts = library_parts | only(Part::sampling) | only(Part::random_cuts);
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-using OwnTree = RulesTree<LightcutsRules>;
+using OwnTree = LibraryTree;
 using Visible = std::function<bool(std::uint32_t)>;
 using Clusters = std::vector<CutCluster>;
 

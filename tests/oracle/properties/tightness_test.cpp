@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/core/kernels/error_bound.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
 
 #include <algorithm>
 #include <array>

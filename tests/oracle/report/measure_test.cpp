@@ -46,16 +46,16 @@ TEST(Measure, HasTheRowsAskedFor) {
               ElementsAre(std::pair("reference", 0), std::pair("lightcuts", 0.02F),
                           std::pair("lightcuts", 0.5F)));
   MeasureConfig config = quick();
-  config.methods = {Method::lightcuts};
+  config.methods = {methods::lightcuts};
   config.thresholds = {0.1F};
   EXPECT_THAT(rows_of(measured(scene, config).report), ElementsAre(std::pair("lightcuts", 0.1F)));
-  config.methods = {Method::reference};
+  config.methods = {methods::reference};
   EXPECT_THAT(rows_of(measured(scene, config).report), ElementsAre(std::pair("reference", 0)));
 }
 
 TEST(Measure, BuildsTheTreeAsAsked) {
   MeasureConfig config = quick();
-  config.methods = {Method::lightcuts};
+  config.methods = {methods::lightcuts};
   config.thresholds = {0.5F};
   const Scene scene = many_lights();
   const auto cut_size = [&](Builder builder) {
@@ -85,7 +85,7 @@ TEST(Measure, MeasuresEveryMethod) {
 
 TEST(Measure, DrawsByTheSeed) {
   MeasureConfig config = quick();
-  config.methods = {Method::stochastic};
+  config.methods = {methods::stochastic};
   const auto error = [&](std::uint64_t seed) {
     config.seed = seed;
     return measured(many_lights(), config).report.runs.front().rel_rmse;

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/core/methods/paper_rules.h>
-#include <oracle/subjects/rules_subject.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
+#include <oracle/subjects/library_subject.h>
 
 #include <tests/oracle/support/judged_point.h>
 #include <tests/oracle/support/small_scene.h>
@@ -16,13 +16,18 @@
 namespace lightcuts::oracle {
 namespace {
 
-struct DoubledBound : LightcutsRules {
-  template <class OneLobe>
-  static glm::vec3 bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
-                         const OneLobe& lobe) {
-    return 2.0F * LightcutsRules::bound(tree, node, point, lobe);
+struct DoubledBound : ClusterKernel {
+  [[nodiscard]] glm::vec3 bound(const LightTree& tree, std::uint32_t node,
+                                const ShadingPoint& point) const override {
+    return 2.0F * contribution_bound(tree, node, point);
+  }
+  [[nodiscard]] glm::dvec3 estimate(const LightTree& tree, std::uint32_t node,
+                                    const ShadingPoint& point,
+                                    const glm::vec3& bound) const override {
+    return cluster_estimate(tree, node, point, bound);
   }
 };
+const auto doubled_bound = std::make_shared<DoubledBound>();
 
 const auto second_is_hidden = [](std::uint32_t light) { return light != 1; };
 
@@ -61,24 +66,24 @@ TEST(SubjectTree, ThrowsWhereItIsAskedForWhatItHasNot) {
   EXPECT_EQ(tree.library_tree(), nullptr);
 }
 
-TEST(RulesTree, HasTheBoundsOfItsRules) {
+TEST(LibraryTree, HasTheBoundsOfItsKernel) {
   const LightTree of = four_lights();
-  RulesTree<DoubledBound> tree(of);
+  LibraryTree tree(of, doubled_bound);
   std::vector<glm::vec3> all(of.nodes().size());
   tree.bounds(diffuse_point(), all);
   for (std::uint32_t i = 0; i < all.size(); ++i) {
-    EXPECT_EQ(all[i], 2.0F * contribution_bound(of, i, diffuse_point(), NoLobe()));
+    EXPECT_EQ(all[i], 2.0F * contribution_bound(of, i, diffuse_point()));
     EXPECT_EQ(all[i], tree.bound(i, diffuse_point()));
   }
 }
 
-TEST(RulesTree, SelectsWithItsRulesConfigurationAndVisibility) {
+TEST(LibraryTree, SelectsWithItsKernelConfigurationAndVisibility) {
   const LightTree of = four_lights();
-  RulesTree<DoubledBound> tree(of);
+  LibraryTree tree(of, doubled_bound);
   for (int again = 0; again < 2; ++again)
     for (const std::uint32_t size : {3U, 2U}) {
       const CutConfig config{0.1F, size};
-      BasicCutSelector<DoubledBound> own(of, config);
+      CutSelector own(of, config, *doubled_bound);
       const Cut expected = own(diffuse_point(), second_is_hidden);
       const Cut cut = tree.select(diffuse_point(), config, second_is_hidden);
       EXPECT_EQ(cut.radiance, expected.radiance);
@@ -89,14 +94,14 @@ TEST(RulesTree, SelectsWithItsRulesConfigurationAndVisibility) {
     }
 }
 
-TEST(RulesTree, RefusesWhatTheSelectorRefuses) {
-  RulesTree<LightcutsRules> tree(four_lights());
+TEST(LibraryTree, RefusesWhatTheSelectorRefuses) {
+  LibraryTree tree(four_lights());
   EXPECT_THROW((void)tree.select(diffuse_point(), {-1, 1}, second_is_hidden), InputError);
   EXPECT_THROW((void)tree.select(diffuse_point(), {0.02F, 0}, second_is_hidden), InputError);
 }
 
-TEST(RulesTree, AnswersTheSameInAnotherThread) {
-  RulesTree<DoubledBound> tree(four_lights());
+TEST(LibraryTree, AnswersTheSameInAnotherThread) {
+  LibraryTree tree(four_lights(), doubled_bound);
   const auto other = tree.for_another_thread();
   EXPECT_EQ(other->library_tree(), tree.library_tree());
   EXPECT_EQ(other->bound(0, diffuse_point()), tree.bound(0, diffuse_point()));
@@ -110,15 +115,14 @@ TEST(LibrarySubject, GivesTheLibrarysOwnAnswers) {
   const LightTree own = four_lights();
   const auto subject = library_subject();
   EXPECT_EQ(subject->name(), "lightcuts");
-  EXPECT_EQ(subject->parts(), RulesSubject<LightcutsRules>::all_parts);
+  EXPECT_EQ(subject->parts(), KernelSubject::all_parts);
   const auto tree = subject->build(own.lights(), 1);
   const ShadingPoint point = diffuse_point();
   for (std::uint32_t i = 0; i < own.nodes().size(); ++i) {
-    const glm::vec3 bound = contribution_bound(own, i, point, NoLobe());
+    const glm::vec3 bound = contribution_bound(own, i, point);
     EXPECT_EQ(tree->bound(i, point), bound);
     EXPECT_EQ(tree->lower_bound(i, point), contribution_lower_bound(own, i, point));
-    EXPECT_EQ(tree->estimate(i, point, bound),
-              LightcutsRules::estimate(own, i, point, NoLobe(), bound));
+    EXPECT_EQ(tree->estimate(i, point, bound), cluster_estimate(own, i, point, bound));
   }
   EXPECT_TRUE(subject->refined_before(2, 1));
   EXPECT_FALSE(subject->refined_before(1, 1));
@@ -165,7 +169,7 @@ TEST(PaperSubject, HasThePapersBound) {
   const auto subject = paper_subject();
   EXPECT_EQ(subject->name(), "paper");
   EXPECT_EQ(subject->build(own.lights(), 1)->bound(0, diffuse_point()),
-            PaperRules::bound(own, 0, diffuse_point(), NoLobe()));
+            contribution_bound(own, 0, diffuse_point(), BoundRule::product));
 }
 
 } // namespace

@@ -18,8 +18,6 @@ inline constexpr Parts library_parts =
     only(Part::bounds) | only(Part::lower_bounds) | only(Part::estimates) | only(Part::cuts) |
     only(Part::refinement_order) | only(Part::occlusion) | only(Part::pictures);
 
-using LibraryTree = RulesTree<LightcutsRules>;
-
 /// A tree and a shading point with the truth there: what the properties are checked on.
 struct JudgedPoint {
   LightTree tree;

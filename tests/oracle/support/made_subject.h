@@ -5,19 +5,19 @@
 #include <memory>
 #include <utility>
 
-#include <oracle/subjects/rules_subject.h>
+#include <oracle/subjects/library_subject.h>
 
 #include <tests/oracle/support/judged_point.h>
 
 namespace lightcuts::oracle {
 
 /// The library, but for trees that a test makes of the library's.
-class MadeSubject : public RulesSubject<LightcutsRules> {
+class MadeSubject : public KernelSubject {
 public:
   using Make = std::function<std::unique_ptr<SubjectTree>(LightTree)>;
 
   explicit MadeSubject(Make make, Parts parts = library_parts)
-      : RulesSubject("made"), make_(std::move(make)), parts_(parts) {}
+      : KernelSubject("made"), make_(std::move(make)), parts_(parts) {}
   [[nodiscard]] Parts parts() const override { return parts_; }
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <lightcuts/core/kernels/contribution.h>
-#include <lightcuts/core/methods/paper_rules.h>
+#include <lightcuts/core/kernels/transfer.h>
+#include <lightcuts/core/methods/paper.h>
 #include <tests/oracle/support/judged_point.h>
 #include <tests/support/generators.h>
 
@@ -49,7 +49,7 @@ std::vector<std::size_t> sizes_of_good_cuts(const JudgedPoint& judged, std::uint
 }
 
 std::size_t found(const JudgedPoint& judged, const Limits& limits) {
-  RulesTree<PaperRules> paper(judged.tree);
+  LibraryTree paper(judged.tree, library_kernel(all_light_kinds, methods::paper.rules));
   return clairvoyant_cut_size({paper, library_parts}, judged.at(), limits.threshold,
                               limits.black_level);
 }

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <lightcuts/core/kernels/contribution_bounds.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
 #include <tests/oracle/support/judged_point.h>
 #include <tests/support/generators.h>
 

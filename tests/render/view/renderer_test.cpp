@@ -63,7 +63,7 @@ TEST(Renderer, GivesTheSameBitsForAnyNumberOfThreads) {
 
 TEST(Renderer, SumsEveryLightForTheReference) {
   const Room room;
-  const Rendering r = room.rendered({.method = Method::reference});
+  const Rendering r = room.rendered({.method = methods::reference});
   const SceneView view(room.scene);
   for (unsigned y = 0; y < view.size().y; ++y)
     for (unsigned x = 0; x < view.size().x; ++x) {
@@ -101,9 +101,9 @@ TEST(Renderer, PicksTheCutOfEachPixel) {
 
 TEST(Renderer, ErrsByNoMoreThanItCertifies) {
   const Room room;
-  const Rendering reference = room.rendered({.method = Method::reference});
+  const Rendering reference = room.rendered({.method = methods::reference});
   for (const Method method : all_methods) {
-    if (method == Method::reference) continue;
+    if (method == methods::reference) continue;
     const Rendering r = room.rendered({.method = method, .cut = {0.1F, 100}});
     EXPECT_NE(r.radiance, reference.radiance);
     for (std::size_t i = 0; i < r.radiance.size(); ++i)
@@ -116,7 +116,7 @@ TEST(Renderer, ErrsByNoMoreThanItCertifies) {
 TEST(Renderer, DrawsTheLightsOfEachPixelByTheSeed) {
   const Room room;
   const CutConfig config{0.1F, 40, 1e-4F};
-  const Rendering r = room.rendered({.method = Method::stochastic, .cut = config, .seed = 5});
+  const Rendering r = room.rendered({.method = methods::stochastic, .cut = config, .seed = 5});
   const SceneView view(room.scene);
   StochasticCutSelector select(room.tree, config, 5);
   for (unsigned y = 0; y < view.size().y; y += 5)
@@ -128,7 +128,7 @@ TEST(Renderer, DrawsTheLightsOfEachPixelByTheSeed) {
       EXPECT_EQ(r.certified_error[i], cut.certified_error);
       EXPECT_EQ(r.shadow_rays[i], float(cut.shadow_rays));
     }
-  EXPECT_NE(r.radiance, room.rendered({.method = Method::stochastic, .cut = config}).radiance);
+  EXPECT_NE(r.radiance, room.rendered({.method = methods::stochastic, .cut = config}).radiance);
 }
 
 double mean(const std::vector<glm::vec3>& picture) {
@@ -150,8 +150,8 @@ double rmse(const std::vector<glm::dvec3>& a, const std::vector<glm::vec3>& b) {
 // left of a bias would not fall.
 TEST(Renderer, ConvergesToTheReferenceByTheMeanOverSeeds) {
   const Room room;
-  const Rendering reference = room.rendered({.method = Method::reference});
-  for (const Method method : {Method::stochastic, Method::stochastic_intensity}) {
+  const Rendering reference = room.rendered({.method = methods::reference});
+  for (const Method method : {methods::stochastic, methods::stochastic_intensity}) {
     constexpr int n = 64;
     std::vector<glm::dvec3> sum(reference.radiance.size(), glm::dvec3(0));
     double of_one = 0, brightness = 0, brightness2 = 0;
@@ -172,21 +172,21 @@ TEST(Renderer, ConvergesToTheReferenceByTheMeanOverSeeds) {
 
 TEST(Renderer, IsTooDarkWithoutScaling) {
   const Room room;
-  const RenderConfig config{.method = Method::unscaled, .cut = {0.5F, 100}};
+  const RenderConfig config{.method = methods::unscaled, .cut = {0.5F, 100}};
   const Rendering r = room.rendered(config);
-  EXPECT_LT(mean(r.radiance), 0.9 * mean(room.rendered({.method = Method::reference}).radiance));
+  EXPECT_LT(mean(r.radiance), 0.9 * mean(room.rendered({.method = methods::reference}).radiance));
 }
 
 TEST(Renderer, SumsLightsWhereTheTreeIsLeftOut) {
   const Room room;
-  expect_same_but_for_times(room.rendered({.method = Method::lightcuts, .use_tree = false}),
-                            room.rendered({.method = Method::reference}));
+  expect_same_but_for_times(room.rendered({.method = methods::lightcuts, .use_tree = false}),
+                            room.rendered({.method = methods::reference}));
 }
 
 TEST(Renderer, LeavesPixelsWithoutASurfaceBlack) {
   const Scene scene = square();
   const SceneView view(scene);
-  for (const Method method : {Method::reference, Method::lightcuts}) {
+  for (const Method method : {methods::reference, methods::lightcuts}) {
     const Rendering r = render(view, build(scene.lights), {.method = method});
     std::uint64_t surface = 0;
     for (unsigned y = 0; y < view.size().y; ++y)
@@ -211,7 +211,7 @@ TEST(Renderer, LeavesPixelsWithoutASurfaceBlack) {
 
 TEST(Renderer, RendersTheLastRowAndColumn) {
   const Room room;
-  const Rendering r = room.rendered({.method = Method::reference});
+  const Rendering r = room.rendered({.method = methods::reference});
   EXPECT_EQ(r.size, glm::uvec2(37, 21));
   EXPECT_EQ(r.radiance.size(), 37U * 21U);
   EXPECT_EQ(r.surface_pixels, 37U * 21U);
@@ -263,12 +263,12 @@ TEST(Renderer, LeavesPixelsWhenCancelled) {
 TEST(Renderer, LightsByTheRulesChosen) {
   const Room room;
   for (const auto& [method, bound, estimate] :
-       {std::tuple(Method::paper, BoundRule::product, EstimateRule::representative),
-        std::tuple(Method::unscaled, BoundRule::product, EstimateRule::unscaled),
-        std::tuple(Method::no_specular_bound, BoundRule::no_specular, EstimateRule::centroid)}) {
-    RenderConfig by_choice{.cut = {0.02F, 200}, .rules = ChosenRules()};
-    by_choice.rules->bound_rule = bound;
-    by_choice.rules->estimate_rule = estimate;
+       {std::tuple(methods::paper, BoundRule::product, EstimateRule::representative),
+        std::tuple(methods::unscaled, BoundRule::product, EstimateRule::unscaled),
+        std::tuple(methods::no_specular_bound, BoundRule::no_specular, EstimateRule::centroid)}) {
+    RenderConfig by_choice{.cut = {0.02F, 200}, .rules = ClusterRules()};
+    by_choice.rules->bound = bound;
+    by_choice.rules->estimate = estimate;
     const Rendering expected = room.rendered({.method = method, .cut = {0.02F, 200}});
     EXPECT_NE(expected.radiance, room.rendered({.cut = {0.02F, 200}}).radiance);
     expect_same_but_for_times(room.rendered(by_choice), expected);
@@ -293,7 +293,7 @@ TEST(Renderer, ReportsProgressUpToTheEnd) {
 
 TEST(Renderer, MeasuresTime) {
   const Room room;
-  const Rendering r = room.rendered({.method = Method::reference, .threads = 1});
+  const Rendering r = room.rendered({.method = methods::reference, .threads = 1});
   EXPECT_GT(r.seconds, 0);
   double sum = 0;
   for (const float t : r.microseconds) sum += t;
@@ -306,9 +306,9 @@ TEST(Method, HasANameThatFindsIt) {
     EXPECT_NE(std::string_view(name_of(m)), "");
     EXPECT_EQ(method_named(name_of(m)), m);
   }
-  EXPECT_EQ(method_named("stochastic"), Method::stochastic);
-  EXPECT_EQ(method_named("stochastic-intensity"), Method::stochastic_intensity);
-  EXPECT_EQ(method_named("unscaled"), Method::unscaled);
+  EXPECT_EQ(method_named("stochastic"), methods::stochastic);
+  EXPECT_EQ(method_named("stochastic-intensity"), methods::stochastic_intensity);
+  EXPECT_EQ(method_named("unscaled"), methods::unscaled);
   EXPECT_EQ(method_named("Lightcuts"), std::nullopt);
   EXPECT_EQ(method_named(""), std::nullopt);
 }

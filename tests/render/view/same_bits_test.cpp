@@ -158,7 +158,7 @@ void hash_pictures(const std::string& spec, const SceneView& view, const LightTr
                    Hashes& hashes) {
   for (const Method method : all_methods)
     for (const bool specialise : {true, false})
-      hashes[fmt::format("{},{} by the {} kernel", spec, name_of(method),
+      hashes[fmt::format("{},{} by the {} kernel", spec, method->name,
                          specialise ? "narrowest" : "general")] =
           hash_of(
               render(view, tree, {.method = method, .cut = {0.1F, 100}, .specialise = specialise}));

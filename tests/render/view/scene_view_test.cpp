@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
-#include <lightcuts/core/kernels/contribution.h>
+#include <lightcuts/core/kernels/transfer.h>
 #include <lightcuts/render/scene/builtin_scenes.h>
 
 #include <lightcuts/render/scene/shapes.h>

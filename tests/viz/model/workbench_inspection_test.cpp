@@ -52,10 +52,10 @@ TEST(WorkbenchInspection, OfTheReferenceIsWhatLightcutsWouldPick) {
   bench.state.pixel = some_pixels[0];
   bench.state.shading.threshold = 0.3F;
   bench.state.shading.max_cut = 77;
-  bench.state.shading.rules.bound_rule = BoundRule::product;
+  bench.state.shading.rules.bound = BoundRule::product;
   settle(bench);
   const auto expected = bench.inspection();
-  bench.state.display = Method::reference;
+  bench.state.display = methods::reference;
   settle(bench);
   EXPECT_EQ(bench.inspection()->inspection.config, expected->inspection.config);
   EXPECT_EQ(bench.inspection()->inspection.radiance, expected->inspection.radiance);

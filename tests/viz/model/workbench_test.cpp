@@ -34,10 +34,10 @@ TEST(Workbench, OpensTheSceneAndMakesItsPicture) {
   ASSERT_NE(bench.scene(), nullptr);
   EXPECT_EQ(bench.scene()->request(), small_request());
   EXPECT_EQ(bench.camera(), bench.scene()->scene().camera);
-  const auto frame = bench.sources(Method::lightcuts, Layer::image).frame;
+  const auto frame = bench.sources(methods::lightcuts, Layer::image).frame;
   EXPECT_TRUE(frame->complete());
   EXPECT_EQ(frame->rendering().radiance, made<Frame>(small_key())->rendering().radiance);
-  EXPECT_EQ(bench.sources(Method::reference, Layer::image).frame->share(), 0) << "not asked for";
+  EXPECT_EQ(bench.sources(methods::reference, Layer::image).frame->share(), 0) << "not asked for";
 }
 
 TEST(Workbench, IsBusyUntilThatIsThere) {
@@ -48,7 +48,7 @@ TEST(Workbench, IsBusyUntilThatIsThere) {
     return !bench.busy();
   }));
   ASSERT_NE(bench.scene(), nullptr);
-  EXPECT_TRUE(bench.sources(Method::lightcuts, Layer::image).frame->complete());
+  EXPECT_TRUE(bench.sources(methods::lightcuts, Layer::image).frame->complete());
   EXPECT_TRUE(bench.inspection() && bench.inspection()->complete);
 }
 
@@ -56,12 +56,12 @@ TEST(Workbench, MakesWhatTheLayerNeeds) {
   SmallWorkbench bench;
   bench.state.layer = Layer::slack;
   settle(bench);
-  LayerSources sources = bench.sources(Method::lightcuts, Layer::slack);
+  LayerSources sources = bench.sources(methods::lightcuts, Layer::slack);
   EXPECT_TRUE(sources.frame->complete() && sources.reference->complete());
   EXPECT_EQ(sources.truth, nullptr);
   bench.state.layer = Layer::violations;
   settle(bench);
-  sources = bench.sources(Method::lightcuts, Layer::violations);
+  sources = bench.sources(methods::lightcuts, Layer::violations);
   EXPECT_TRUE(sources.truth->complete());
   EXPECT_THAT(sources.truth->violations(), testing::Each(0));
 }
@@ -69,10 +69,10 @@ TEST(Workbench, MakesWhatTheLayerNeeds) {
 TEST(Workbench, MakesBothSidesOfASplit) {
   SmallWorkbench bench;
   bench.state.split = true;
-  bench.state.compared = Method::paper;
+  bench.state.compared = methods::paper;
   settle(bench);
-  EXPECT_TRUE(bench.sources(Method::lightcuts, Layer::image).frame->complete());
-  EXPECT_TRUE(bench.sources(Method::paper, Layer::image).frame->complete());
+  EXPECT_TRUE(bench.sources(methods::lightcuts, Layer::image).frame->complete());
+  EXPECT_TRUE(bench.sources(methods::paper, Layer::image).frame->complete());
 }
 
 TEST(Workbench, MakesTheReferenceWhileItIsWantedAndNothingWhileTheCameraMoves) {
@@ -80,37 +80,37 @@ TEST(Workbench, MakesTheReferenceWhileItIsWantedAndNothingWhileTheCameraMoves) {
   bench.state.display = DisplayMethod::raster();
   bench.wants_reference = true;
   settle(bench);
-  EXPECT_TRUE(bench.sources(Method::reference, Layer::image).frame->complete());
-  EXPECT_EQ(bench.sources(Method::lightcuts, Layer::image).frame->share(), 0);
-  bench.state.display = Method::lightcuts;
+  EXPECT_TRUE(bench.sources(methods::reference, Layer::image).frame->complete());
+  EXPECT_EQ(bench.sources(methods::lightcuts, Layer::image).frame->share(), 0);
+  bench.state.display = methods::lightcuts;
   bench.holds_pictures = true;
   settle(bench);
-  EXPECT_EQ(bench.sources(Method::lightcuts, Layer::image).frame->share(), 0);
+  EXPECT_EQ(bench.sources(methods::lightcuts, Layer::image).frame->share(), 0);
   bench.holds_pictures = false;
   settle(bench);
-  EXPECT_TRUE(bench.sources(Method::lightcuts, Layer::image).frame->complete());
+  EXPECT_TRUE(bench.sources(methods::lightcuts, Layer::image).frame->complete());
 }
 
 TEST(Workbench, MakesNoOtherPictureOfWhatDoesNotMatterToAMethod) {
   SmallWorkbench bench;
   settle(bench);
   const auto frame = [&](Method method) { return bench.sources(method, Layer::image).frame; };
-  const auto reference = frame(Method::reference), paper = frame(Method::paper);
-  const auto cuts = frame(Method::lightcuts), drawn = frame(Method::stochastic);
+  const auto reference = frame(methods::reference), paper = frame(methods::paper);
+  const auto cuts = frame(methods::lightcuts), drawn = frame(methods::stochastic);
   bench.state.shading.seed = 5;
-  EXPECT_EQ(frame(Method::reference), reference);
-  EXPECT_EQ(frame(Method::paper), paper);
-  EXPECT_EQ(frame(Method::lightcuts), cuts);
-  EXPECT_NE(frame(Method::stochastic), drawn);
-  bench.state.shading.rules.bound_rule = BoundRule::product;
-  EXPECT_EQ(frame(Method::paper), paper);
-  EXPECT_NE(frame(Method::lightcuts), cuts);
+  EXPECT_EQ(frame(methods::reference), reference);
+  EXPECT_EQ(frame(methods::paper), paper);
+  EXPECT_EQ(frame(methods::lightcuts), cuts);
+  EXPECT_NE(frame(methods::stochastic), drawn);
+  bench.state.shading.rules.bound = BoundRule::product;
+  EXPECT_EQ(frame(methods::paper), paper);
+  EXPECT_NE(frame(methods::lightcuts), cuts);
   bench.state.shading.threshold = 0.5F;
-  EXPECT_EQ(frame(Method::reference), reference);
-  EXPECT_NE(frame(Method::paper), paper);
+  EXPECT_EQ(frame(methods::reference), reference);
+  EXPECT_NE(frame(methods::paper), paper);
   bench.state.camera = bench.camera();
   bench.state.camera->vertical_fov += 1;
-  EXPECT_NE(frame(Method::reference), reference);
+  EXPECT_NE(frame(methods::reference), reference);
 }
 
 // ---- opening

@@ -35,7 +35,7 @@ TEST(GuiHabits, SavedViewIsTheSameWhenItIsOpenedAgain) {
   EXPECT_EQ(load_view_state(file(".json")), robot.state());
   EXPECT_TRUE(std::filesystem::exists(file(".png")));
   const Film film = read_exr(file(".exr"));
-  const auto frame = robot.workbench().sources(Method::lightcuts, Layer::image).frame;
+  const auto frame = robot.workbench().sources(methods::lightcuts, Layer::image).frame;
   EXPECT_EQ(film.channel("cut-size")[100], frame->rendering().cut_size[100]);
   ASSERT_EQ(robot.workbench().messages().size(), 1U);
   EXPECT_FALSE(robot.workbench().messages().front().error);

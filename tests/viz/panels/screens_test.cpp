@@ -70,7 +70,7 @@ void show_whole_range(Robot& robot, const std::vector<float>& values) {
 
 TEST(GuiScreens, HeatMapIsThatOfTheRendering) {
   Robot robot(fixed_range(Layer::cut_size));
-  const Rendering right = rendered(robot, Method::lightcuts, 0.02F);
+  const Rendering right = rendered(robot, methods::lightcuts, 0.02F);
   show_whole_range(robot, right.cut_size);
   const Pixels shown = image_on_screen(robot);
   EXPECT_LT(difference(shown, expected_heat(right.cut_size)), same);
@@ -78,11 +78,11 @@ TEST(GuiScreens, HeatMapIsThatOfTheRendering) {
 
 TEST(GuiScreens, MetricTellsAWrongHeatMap) {
   Robot robot(fixed_range(Layer::cut_size));
-  const Rendering right = rendered(robot, Method::lightcuts, 0.02F);
+  const Rendering right = rendered(robot, methods::lightcuts, 0.02F);
   show_whole_range(robot, right.cut_size);
   const Pixels shown = image_on_screen(robot);
   // Another threshold, another quantity, the picture moved by a pixel.
-  const Rendering other = rendered(robot, Method::lightcuts, 0.03F);
+  const Rendering other = rendered(robot, methods::lightcuts, 0.03F);
   EXPECT_GT(difference(shown, expected_heat(other.cut_size)), 4 * same);
   EXPECT_GT(difference(shown, expected_heat(right.shadow_rays)), 4 * same);
   Pixels moved = expected_heat(right.cut_size);
@@ -100,11 +100,11 @@ TEST(GuiScreens, ImageIsThatOfTheRendering) {
       pixels.push_back(srgb8(2.0F * (r.radiance[i] + r.emission[i])));
     return pixels;
   };
-  EXPECT_LT(difference(image_on_screen(robot), expected(Method::lightcuts)), same);
-  robot.state().display = Method::unscaled;
+  EXPECT_LT(difference(image_on_screen(robot), expected(methods::lightcuts)), same);
+  robot.state().display = methods::unscaled;
   robot.settle();
-  EXPECT_LT(difference(image_on_screen(robot), expected(Method::unscaled)), same);
-  EXPECT_GT(difference(image_on_screen(robot), expected(Method::lightcuts)), 4 * same);
+  EXPECT_LT(difference(image_on_screen(robot), expected(methods::unscaled)), same);
+  EXPECT_GT(difference(image_on_screen(robot), expected(methods::lightcuts)), 4 * same);
 }
 
 TEST(GuiScreens, EveryTabAndLayerIsDrawn) {

@@ -62,7 +62,7 @@ TEST(GuiView, DragPansAndDoesNotSelect) {
 
 TEST(GuiView, SpaceShowsTheReferenceWhileHeld) {
   ViewState state = small_room();
-  state.display = Method::unscaled;
+  state.display = methods::unscaled;
   state.shading.threshold = 0.5F;
   Robot robot(state);
   const auto shown = robot.app().image().shown().values().image;
@@ -70,7 +70,7 @@ TEST(GuiView, SpaceShowsTheReferenceWhileHeld) {
   robot.settle();
   const auto reference = robot.app().image().shown().values().image;
   EXPECT_NE(shown, reference);
-  const auto frame = robot.workbench().sources(Method::reference, Layer::image).frame;
+  const auto frame = robot.workbench().sources(methods::reference, Layer::image).frame;
   EXPECT_EQ(reference[100], frame->rendering().radiance[100] + frame->rendering().emission[100]);
   robot.hold(GLFW_KEY_SPACE, false);
   robot.settle();
@@ -124,9 +124,9 @@ TEST(GuiView, BuilderMakesAnotherTree) {
 TEST(GuiView, SplitShowsTwoMethods) {
   ViewState state = small_room();
   state.split = true;
-  state.compared = Method::reference;
+  state.compared = methods::reference;
   Robot robot(state);
-  EXPECT_TRUE(robot.workbench().sources(Method::reference, Layer::image).frame->complete());
+  EXPECT_TRUE(robot.workbench().sources(methods::reference, Layer::image).frame->complete());
   const ScreenArea area = robot.app().image().area();
   const glm::dvec2 on_line(area.origin.x + 0.5 * area.size.x, area.origin.y + 100);
   robot.drag(on_line, on_line + glm::dvec2(0.25 * area.size.x, 0));
@@ -138,7 +138,7 @@ TEST(GuiView, SplitHeatMapsHaveOneScale) {
   ViewState state = small_room();
   state.layer = Layer::cut_size;
   state.split = true;
-  state.compared = Method::paper;
+  state.compared = methods::paper;
   Robot robot(state);
   const Coloured& left = robot.app().image().shown().coloured();
   const Coloured& right = robot.app().image().compared().coloured();

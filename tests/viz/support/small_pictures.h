@@ -46,7 +46,7 @@ inline ShadingSettings always_cuts() {
   return settings;
 }
 
-inline FrameKey small_key(Method method = Method::lightcuts,
+inline FrameKey small_key(Method method = methods::lightcuts,
                           const ShadingSettings& settings = always_cuts()) {
   return {small_scene(), method, settings, small_scene()->scene().camera};
 }

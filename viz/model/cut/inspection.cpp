@@ -54,7 +54,7 @@ public:
     CutConfig config = this->config();
     config.max_size = max_size;
     const auto sees_light = [this](std::uint32_t light) { return sees(light); };
-    if (!is_stochastic(key_.frame.method) || scene_.counterexample())
+    if (!key_.frame.method->draws || scene_.counterexample())
       return tree.select(point(), config, sees_light);
     const std::uint64_t query =
         std::uint64_t(key_.pixel.y) * view_.size().x + key_.pixel.x; // as the renderer has it

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <lightcuts/render/view/renderer.h>
 
@@ -13,11 +15,12 @@ namespace lightcuts::viz {
 class DisplayMethod {
 public:
   constexpr DisplayMethod(Method method) : method_(method) {} // NOLINT: is one
+  constexpr DisplayMethod(const MethodDescription& method) : method_(method) {} // NOLINT
   [[nodiscard]] static constexpr DisplayMethod raster() { return DisplayMethod(); }
 
   [[nodiscard]] constexpr bool is_raster() const { return !method_; }
   /// Of the raster preview: lightcuts, whose cut is shown beside it.
-  [[nodiscard]] constexpr Method method() const { return method_.value_or(Method::lightcuts); }
+  [[nodiscard]] constexpr Method method() const { return method_.value_or(methods::lightcuts); }
 
   constexpr bool operator==(const DisplayMethod&) const = default;
 
@@ -26,12 +29,12 @@ private:
   std::optional<Method> method_;
 };
 
-/// In the order of Tab.
-inline constexpr DisplayMethod all_displays[] = {
-    DisplayMethod::raster(), Method::reference,
-    Method::lightcuts,       Method::no_specular_bound,
-    Method::stochastic,      Method::stochastic_intensity,
-    Method::paper,           Method::unscaled};
+/// In the order of Tab: the preview, the reference, and the other methods from better to worse.
+inline constexpr auto all_displays = []<std::size_t... I>(std::index_sequence<I...>) {
+  static_assert(all_methods[0] == Method(methods::reference));
+  return std::array{DisplayMethod::raster(), DisplayMethod(methods::reference),
+                    DisplayMethod(all_methods[sizeof...(I) - I])...};
+}(std::make_index_sequence<std::size(all_methods) - 1>());
 
 /// "raster", or the library's name of it.
 [[nodiscard]] const char* name_of(const DisplayMethod& display);

@@ -17,12 +17,12 @@ Frame::Frame(FrameKey key)
   config_.method = key_.method;
   config_.cut = cut_config(key_.settings, *key_.scene, view_);
   config_.seed = key_.settings.seed;
-  if (!(key_.settings.rules == ChosenRules())) config_.rules = key_.settings.rules;
+  if (!(key_.settings.rules == ClusterRules())) config_.rules = key_.settings.rules;
   config_.done = [this](const PixelRect& rect) { done(rect); };
 }
 
 void Frame::look_at_needs() {
-  const bool asked = key_.method == Method::lightcuts && !key_.scene->counterexample() &&
+  const bool asked = key_.method == methods::lightcuts && !key_.scene->counterexample() &&
                      key_.settings.tree_use == TreeUse::automatic && !config_.rules;
   if (!asked || features()) return;
   // With many lights it takes seconds: not twice.
@@ -44,7 +44,7 @@ std::optional<SceneFeatures> Frame::features() const {
 
 bool Frame::sums_all_lights() const {
   const auto found = features();
-  return key_.method == Method::reference || (found && !found->tree);
+  return key_.method == methods::reference || (found && !found->tree);
 }
 
 void Frame::make(const std::function<bool(glm::uvec2)>& wanted,

@@ -11,7 +11,7 @@ namespace lightcuts::viz {
 /// What a picture depends on.
 struct FrameKey {
   std::shared_ptr<const OpenedScene> scene;
-  Method method = Method::lightcuts;
+  Method method = methods::lightcuts;
   ShadingSettings settings;
   Camera camera;
 

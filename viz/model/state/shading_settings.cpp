@@ -10,10 +10,10 @@ namespace {
 
 /// Draws what the renderer does by that seed.
 template <class Importance>
-class DrawingTree : public oracle::RulesTree<LightcutsRules, Importance> {
+class DrawingTree : public oracle::BasicLibraryTree<Importance> {
 public:
   DrawingTree(std::shared_ptr<const LightTree> tree, std::uint64_t seed)
-      : oracle::RulesTree<LightcutsRules, Importance>(std::move(tree)), seed_(seed) {}
+      : oracle::BasicLibraryTree<Importance>(std::move(tree)), seed_(seed) {}
   [[nodiscard]] std::unique_ptr<oracle::SubjectTree> for_another_thread() const override {
     return std::make_unique<DrawingTree>(this->shared_tree(), seed_);
   }
@@ -26,7 +26,7 @@ public:
 private:
   std::uint64_t seed_;
   /// Has what was drawn last.
-  std::optional<BasicStochasticCutSelector<LightcutsRules, Importance>> select_;
+  std::optional<BasicStochasticCutSelector<Importance>> select_;
 };
 
 } // namespace
@@ -39,39 +39,20 @@ CutConfig cut_config(const ShadingSettings& settings, const OpenedScene& scene,
           scene.black_level(), may_be_open && !view.may_occlude()};
 }
 
-ChosenRules rules_of(Method method, const ShadingSettings& settings) {
-  ChosenRules rules;
-  switch (method) {
-  case Method::paper:
-    rules.bound_rule = BoundRule::product;
-    rules.estimate_rule = EstimateRule::representative;
-    return rules;
-  case Method::unscaled:
-    rules.bound_rule = BoundRule::product;
-    rules.estimate_rule = EstimateRule::unscaled;
-    return rules;
-  case Method::no_specular_bound:
-    rules.bound_rule = BoundRule::no_specular;
-    return rules;
-  case Method::stochastic:
-  case Method::stochastic_intensity:
-    return rules;
-  case Method::reference:
-  case Method::lightcuts:
-    break;
-  }
-  return settings.rules;
+ClusterRules rules_of(Method method, const ShadingSettings& settings) {
+  const bool has_its_own = method != methods::lightcuts && method->cuts;
+  return has_its_own ? method->rules : settings.rules;
 }
 
 std::unique_ptr<oracle::SubjectTree> tree_for(Method method, const ShadingSettings& settings,
                                               const OpenedScene& scene) {
   if (scene.counterexample()) return scene.subject_tree();
-  if (method == Method::stochastic)
-    return std::make_unique<DrawingTree<HierarchicalImportance<AnyFeatures>>>(scene.tree(),
-                                                                              settings.seed);
-  if (method == Method::stochastic_intensity)
+  if (method == methods::stochastic)
+    return std::make_unique<DrawingTree<HierarchicalImportance>>(scene.tree(), settings.seed);
+  if (method == methods::stochastic_intensity)
     return std::make_unique<DrawingTree<IntensityImportance>>(scene.tree(), settings.seed);
-  return std::make_unique<oracle::RulesTree<ChosenRules>>(scene.tree(), rules_of(method, settings));
+  return std::make_unique<oracle::LibraryTree>(
+      scene.tree(), oracle::library_kernel(all_light_kinds, rules_of(method, settings)));
 }
 
 } // namespace lightcuts::viz

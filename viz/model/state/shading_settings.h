@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include <lightcuts/core/methods/chosen_rules.h>
+#include <lightcuts/core/kernels/cluster_kernel.h>
 #include <lightcuts/render/view/renderer.h>
 #include <lightcuts/render/view/scene_features.h>
 #include <oracle/subjects/subject.h>
@@ -24,7 +24,7 @@ enum class TreeUse : std::uint8_t {
 struct ShadingSettings {
   std::optional<float> threshold; ///< nothing: the scene's own, default_threshold()
   std::uint32_t max_cut = default_max_cut;
-  ChosenRules rules; ///< of the method lightcuts
+  ClusterRules rules; ///< of the method lightcuts
   TreeUse tree_use = TreeUse::automatic;
   std::uint64_t seed = 1; ///< of the methods that draw lights
 
@@ -38,7 +38,7 @@ struct ShadingSettings {
 
 /// The rules by which the method picks cuts and estimates clusters: settings.rules for lightcuts,
 /// and for the reference, which has no cut, the same.
-[[nodiscard]] ChosenRules rules_of(Method method, const ShadingSettings& settings);
+[[nodiscard]] ClusterRules rules_of(Method method, const ShadingSettings& settings);
 
 /// A tree that answers as the method does, for one thread: of a counterexample, its subject's.
 [[nodiscard]] std::unique_ptr<oracle::SubjectTree>

@@ -32,8 +32,8 @@ Json decimals(const glm::vec3& v) { return {decimal(v.x), decimal(v.y), decimal(
 void write_shading(const ShadingSettings& s, Json& json) {
   if (s.threshold) json["threshold"] = decimal(*s.threshold);
   json["max_cut"] = s.max_cut;
-  json["bound"] = bound_names[std::size_t(s.rules.bound_rule)];
-  json["estimate"] = estimate_names[std::size_t(s.rules.estimate_rule)];
+  json["bound"] = name_of(s.rules.bound);
+  json["estimate"] = name_of(s.rules.estimate);
   json["always_tree"] = s.tree_use == TreeUse::always;
   json["seed"] = s.seed;
 }
@@ -184,11 +184,11 @@ const std::map<std::string, Reader>& readers() {
        [](const Json& j, ViewState& s) { s.shading.max_cut = whole<std::uint32_t>(j, 1); }},
       {"bound",
        [](const Json& j, ViewState& s) {
-         s.shading.rules.bound_rule = one_of<BoundRule>(j, bound_names);
+         s.shading.rules.bound = one_of<BoundRule>(j, bound_names);
        }},
       {"estimate",
        [](const Json& j, ViewState& s) {
-         s.shading.rules.estimate_rule = one_of<EstimateRule>(j, estimate_names);
+         s.shading.rules.estimate = one_of<EstimateRule>(j, estimate_names);
        }},
       {"always_tree",
        [](const Json& j, ViewState& s) {

@@ -32,8 +32,8 @@ struct ColourSettings {
 /// Everything that a person has chosen of what the window shows.
 struct ViewState {
   OpenRequest open;
-  DisplayMethod display = Method::lightcuts;
-  DisplayMethod compared = Method::reference; ///< right of the split
+  DisplayMethod display = methods::lightcuts;
+  DisplayMethod compared = methods::reference; ///< right of the split
   Layer layer = Layer::image;
   bool split = false;
   float split_at = 0.5F;             ///< share of the image's area that is left of it

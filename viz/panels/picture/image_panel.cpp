@@ -56,7 +56,7 @@ void ImagePanel::refresh(Workbench& workbench) {
   raster_shown_ = false;
   remember_exposure(workbench);
   const bool raster_only = moving_.has_value();
-  const DisplayMethod left = flipped_      ? DisplayMethod(Method::reference)
+  const DisplayMethod left = flipped_      ? DisplayMethod(methods::reference)
                              : raster_only ? DisplayMethod::raster()
                                            : workbench.state.display;
   refresh_one(workbench, left, {}, shown_);

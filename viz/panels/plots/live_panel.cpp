@@ -52,12 +52,12 @@ void choice(const char* label, Enum& value, const char* const (&names)[n],
 
 void rules(Workbench& workbench) {
   ShadingSettings& s = workbench.state.shading;
-  choice("criterion", s.rules.bound_rule, {"joint bound", "no specular bound", "product bound"},
+  choice("criterion", s.rules.bound, {"joint bound", "no specular bound", "product bound"},
          {"The exact maximum of n.l / d^2 over the cluster's box, in one.",
           "The same, with the glossy lobe taken at its peak.",
           "Maxima of n.l and of 1 / d^2 apart, as published: looser."});
   tooltip("What error bound the threshold is compared with.");
-  choice("estimate", s.rules.estimate_rule,
+  choice("estimate", s.rules.estimate,
          {"centroid, second moment", "representative, scaled", "representative, unscaled"},
          {"Material and geometry at the intensity centroid, corrected by the second moment; one "
           "shadow ray.",
@@ -74,7 +74,7 @@ void rules(Workbench& workbench) {
 }
 
 void whether_tree_is_used(Workbench& workbench) {
-  const auto frame = workbench.sources(Method::lightcuts, Layer::image).frame;
+  const auto frame = workbench.sources(methods::lightcuts, Layer::image).frame;
   const auto features = frame->features();
   if (!features || features->tree) return;
   ImGui::PushTextWrapPos();

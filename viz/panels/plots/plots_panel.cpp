@@ -42,7 +42,7 @@ template <class X, class Y>
 std::vector<PlotSeries> lines(const oracle::Report& report, X&& x, Y&& y) {
   std::vector<PlotSeries> all;
   for (const oracle::Run& run : report.runs) {
-    if (run.method == name_of(Method::reference)) continue;
+    if (run.method == methods::reference.name) continue;
     if (all.empty() || all.back().name != run.method)
       all.push_back({run.method, {}, {}, {}, PlotKind::line});
     all.back().x.push_back(x(run));
@@ -66,7 +66,7 @@ Plot error_plot(const oracle::Report& report, const char* x_label, X&& x) {
 Plot error_against_time(const oracle::Report& report) {
   Plot plot = error_plot(report, "seconds", [](const oracle::Run& r) { return r.render_seconds; });
   for (const oracle::Run& run : report.runs)
-    if (run.method == name_of(Method::reference))
+    if (run.method == methods::reference.name)
       plot.series.push_back({"reference", {run.render_seconds}, {0}, {}, PlotKind::vertical});
   return plot;
 }
@@ -75,7 +75,7 @@ Plot error_against_time(const oracle::Report& report) {
 std::string exact_rows(const oracle::Report& report) {
   std::string names, last;
   for (const oracle::Run& run : report.runs) {
-    if (run.method == name_of(Method::reference) || run.mean_relative_error != 0) continue;
+    if (run.method == methods::reference.name || run.mean_relative_error != 0) continue;
     names += run.method == last ? ", " : (names.empty() ? "" : "; ") + run.method + " ";
     names += fmt::format("{:g} %", 100 * run.threshold);
     last = run.method;
@@ -93,8 +93,7 @@ void PlotsPanel::draw(Workbench& workbench) {
   const float height = std::max(
       110.0F, (ImGui::GetContentRegionAvail().y - 6 * ImGui::GetTextLineHeightWithSpacing()) / 3);
   if (!started_) {
-    methods_[std::size_t(Method::reference)] = methods_[std::size_t(Method::lightcuts)] = true;
-    methods_[std::size_t(Method::paper)] = true;
+    methods_ = {methods::lightcuts, methods::paper};
     started_ = true;
   }
   draw_histogram(workbench);
@@ -106,7 +105,7 @@ void PlotsPanel::draw(Workbench& workbench) {
 void PlotsPanel::draw_histogram(Workbench& workbench) {
   const LayerSources sources = workbench.sources(workbench.state.display, Layer::cut_size);
   ImGui::TextUnformatted(fmt::format("Lights evaluated, {}{}",
-                                     lightcuts::name_of(workbench.state.display.method()),
+                                     workbench.state.display.method()->name,
                                      beyond_histogram_)
                              .c_str());
   const bool complete = sources.frame->complete();
@@ -129,10 +128,17 @@ void PlotsPanel::draw_controls(Workbench& workbench) {
   ImGui::Separator();
   ImGui::TextUnformatted("Report of the oracle: error against run time");
   for (const Method method : all_methods) {
-    if (method == Method::reference) continue;
-    ImGui::Checkbox(name_of(method), &methods_[std::size_t(method)]);
-    tooltip(meaning_of(method));
-    if (method != Method::stochastic_intensity && method != Method::lightcuts) ImGui::SameLine();
+    if (method == methods::reference) continue;
+    const auto chosen = std::find(methods_.begin(), methods_.end(), method);
+    bool is_chosen = chosen != methods_.end();
+    if (ImGui::Checkbox(method->name, &is_chosen)) {
+      if (is_chosen)
+        methods_.push_back(method);
+      else
+        methods_.erase(chosen);
+    }
+    tooltip(method->meaning);
+    if (method != methods::stochastic_intensity && method != methods::lightcuts) ImGui::SameLine();
   }
   if (workbench.reporting()) {
     ImGui::ProgressBar(float(workbench.report_share()), {-6 * ImGui::GetFontSize(), 0});
@@ -142,9 +148,9 @@ void PlotsPanel::draw_controls(Workbench& workbench) {
   }
   if (ImGui::Button("Run")) {
     oracle::MeasureConfig config;
-    config.methods = {Method::reference};
+    config.methods = {methods::reference};
     for (const Method method : all_methods)
-      if (method != Method::reference && methods_[std::size_t(method)])
+      if (std::find(methods_.begin(), methods_.end(), method) != methods_.end())
         config.methods.push_back(method);
     config.thresholds.assign(std::begin(thresholds), std::end(thresholds));
     config.max_cut = workbench.state.shading.max_cut;

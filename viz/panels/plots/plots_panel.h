@@ -22,7 +22,7 @@ private:
   void draw_report(Workbench& workbench);
   void draw_controls(Workbench& workbench);
 
-  std::array<bool, 7> methods_{}; ///< of all_methods, which the report has
+  std::vector<Method> methods_; ///< which the report has beside the reference
   bool started_ = false;
   Plot histogram_;
   std::string beyond_histogram_; ///< in words

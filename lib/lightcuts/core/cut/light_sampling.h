@@ -8,8 +8,7 @@
 #include <glm/vec3.hpp>
 #include <lightcuts/core/geometry/box.h>
 #include <lightcuts/core/geometry/box_bounds.h>
-#include <lightcuts/core/kernels/error_bound.h>
-#include <lightcuts/core/kernels/features.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
 #include <lightcuts/core/lobes/shading_point.h>
 #include <lightcuts/core/tree/light_tree.h>
 
@@ -36,9 +35,8 @@ inline constexpr double min_share = 0x1p-20;
 
 /// Children in proportion to their intensity, summed over the channels, wherever the point is.
 struct IntensityImportance {
-  template <class OneLobe>
   [[nodiscard]] static ChildShares shares(const LightTree& tree, std::uint32_t node,
-                                          const ShadingPoint& /*point*/, const OneLobe& /*lobe*/) {
+                                          const ShadingPoint& /*point*/) {
     const auto weight = [&](std::uint32_t i) {
       const glm::dvec3& intensity = tree.node(i).intensity;
       return intensity.x + intensity.y + intensity.z;
@@ -48,33 +46,6 @@ struct IntensityImportance {
   }
 };
 
-namespace detail {
-
-/// Suprema of a bound without the distance: material, cosine and emission alone.
-template <class Features>
-struct CosineSuprema : JointSuprema<Features> {
-  static double max_cosine_falloff(LightKind /*kind*/, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double /*min_distance2*/) {
-    return max_cosine(n, from, box);
-  }
-  static double falloff(LightKind /*kind*/, const glm::vec3& /*from*/, const Box& /*box*/,
-                        double /*min_distance2*/) {
-    return 1;
-  }
-};
-
-/// Over the channels. What exceeds the largest float counts as that.
-[[nodiscard]] inline double finite_sum(const glm::vec3& v) {
-  constexpr float largest = std::numeric_limits<float>::max();
-  return double(std::min(v.x, largest)) + std::min(v.y, largest) + std::min(v.z, largest);
-}
-
-[[nodiscard]] inline double squared_diagonal(const Box& box) {
-  return squared_diagonal_of_union(box, box);
-}
-
-} // namespace detail
-
 /// Hierarchical importance sampling of Yuksel (2019, "Stochastic Lightcuts"):
 ///   w_0/d_0^2 : w_1/d_1^2 ,
 /// w being the upper bound of intensity x material x n.l x emission over the child's box, summed
@@ -82,50 +53,9 @@ struct CosineSuprema : JointSuprema<Features> {
 /// Without the distances where a d is at most the diagonal of its box: the light drawn may then be
 /// much farther than that. Directional lights have no distance. The children of a mixed cluster
 /// differ in kind, so that theirs have to stay: w / max(d, diagonal)^2, summed over the kinds.
-template <class TheFeatures = AnyFeatures>
 struct HierarchicalImportance {
-  using Features = TheFeatures;
-
-  template <class OneLobe>
   [[nodiscard]] static ChildShares shares(const LightTree& tree, std::uint32_t node,
-                                          const ShadingPoint& point, const OneLobe& lobe) {
-    const std::uint32_t first = tree.node(node).first_child;
-    if constexpr (!Features::uniform)
-      if (tree.node(node).is_mixed()) [[unlikely]]
-        return shares_of(mixed_weight(tree, first, point, lobe),
-                         mixed_weight(tree, first + 1, point, lobe));
-    const double w0 = weight(tree, first, point, lobe), w1 = weight(tree, first + 1, point, lobe);
-    if (w0 == 0 || w1 == 0 || Features::known(tree.node(node).kind()) == LightKind::directional)
-      return shares_of(w0, w1);
-    const Box &box0 = tree.node(first).box, &box1 = tree.node(first + 1).box;
-    const double d0 = min_distance2(point.position(), box0);
-    const double d1 = min_distance2(point.position(), box1);
-    if (d0 <= detail::squared_diagonal(box0) || d1 <= detail::squared_diagonal(box1))
-      return shares_of(w0, w1);
-    const double least = tree.min_distance2();
-    return shares_of(w0 / std::max(d0, least), w1 / std::max(d1, least));
-  }
-
-private:
-  /// Of a cluster that is not mixed.
-  template <class OneLobe>
-  static double weight(const LightTree& tree, std::uint32_t i, const ShadingPoint& point,
-                       const OneLobe& lobe) {
-    return detail::finite_sum(bound_by(detail::CosineSuprema<Features>(), tree, i, point, lobe));
-  }
-
-  template <class OneLobe>
-  static double mixed_weight(const LightTree& tree, std::uint32_t i, const ShadingPoint& point,
-                             const OneLobe& lobe) {
-    const TreeNode& cluster = tree.node(i);
-    if (cluster.is_mixed())
-      return mixed_weight(tree, cluster.first_child, point, lobe) +
-             mixed_weight(tree, cluster.first_child + 1, point, lobe);
-    const double w = weight(tree, i, point, lobe);
-    if (w == 0 || cluster.kind() == LightKind::directional) return w;
-    return w / std::max({min_distance2(point.position(), cluster.box),
-                         detail::squared_diagonal(cluster.box), tree.min_distance2()});
-  }
+                                          const ShadingPoint& point);
 };
 
 /// A light drawn from a cluster; probability 0: none, as nothing that was come to can contribute.
@@ -138,14 +68,13 @@ struct LightSample {
 /// level. Every light that can contribute has a probability above 0, but for one below 2^-1074, for
 /// which it takes more than 50 levels. Each light is drawn for one interval of u, whose length is
 /// its probability to within 2^-52 per level; those of all lights, and of none, cover [0, 1).
-template <class Importance, class OneLobe>
+template <class Importance>
 [[nodiscard]] LightSample sample_light(const Importance& importance, const LightTree& tree,
-                                       std::uint32_t node, const ShadingPoint& point,
-                                       const OneLobe& lobe, double u) {
+                                       std::uint32_t node, const ShadingPoint& point, double u) {
   constexpr double below_1 = 1 - 0x1p-53;
   double probability = 1;
   while (!tree.node(node).is_leaf()) {
-    const ChildShares share = importance.shares(tree, node, point, lobe);
+    const ChildShares share = importance.shares(tree, node, point);
     if (share.first == 0 && share.second == 0) return {};
     node = tree.node(node).first_child;
     if (u < share.first) {
@@ -163,34 +92,32 @@ template <class Importance, class OneLobe>
 
 /// Calls visit(light, probability) for each light of the cluster, with the probability that
 /// sample_light() has for it, bit for bit.
-template <class Importance, class OneLobe, class Visit>
+template <class Importance, class Visit>
 void visit_probabilities(const Importance& importance, const LightTree& tree, std::uint32_t node,
-                         const ShadingPoint& point, const OneLobe& lobe, Visit&& visit,
-                         double probability = 1) {
+                         const ShadingPoint& point, Visit&& visit, double probability = 1) {
   const TreeNode& cluster = tree.node(node);
   if (cluster.is_leaf()) {
     visit(cluster.representative, probability);
     return;
   }
   ChildShares share;
-  if (probability > 0) share = importance.shares(tree, node, point, lobe);
-  visit_probabilities(importance, tree, cluster.first_child, point, lobe, visit,
+  if (probability > 0) share = importance.shares(tree, node, point);
+  visit_probabilities(importance, tree, cluster.first_child, point, visit,
                       probability * share.first);
-  visit_probabilities(importance, tree, cluster.first_child + 1, point, lobe, visit,
+  visit_probabilities(importance, tree, cluster.first_child + 1, point, visit,
                       probability * share.second);
 }
 
 /// Probability with which sample_light() draws the light from the cluster, bit for bit; 0 where it
 /// is none of the cluster's. Takes time proportional to the cluster's lights.
-template <class Importance, class OneLobe>
+template <class Importance>
 [[nodiscard]] double light_probability(const Importance& importance, const LightTree& tree,
                                        std::uint32_t node, std::uint32_t light,
-                                       const ShadingPoint& point, const OneLobe& lobe) {
+                                       const ShadingPoint& point) {
   double result = 0;
-  visit_probabilities(importance, tree, node, point, lobe,
-                      [&](std::uint32_t i, double probability) {
-                        if (i == light) result = probability;
-                      });
+  visit_probabilities(importance, tree, node, point, [&](std::uint32_t i, double probability) {
+    if (i == light) result = probability;
+  });
   return result;
 }
 

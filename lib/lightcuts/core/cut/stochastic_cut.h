@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <variant>
 #include <vector>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/core/cut/certified_error.h>
 #include <lightcuts/core/cut/cut_selector.h>
 #include <lightcuts/core/cut/light_sampling.h>
-#include <lightcuts/core/kernels/contribution.h>
+#include <lightcuts/core/kernels/transfer.h>
 #include <lightcuts/core/numerics/rounding.h>
 #include <lightcuts/core/numerics/splitmix.h>
 #include <lightcuts/core/tree/light_tree.h>
@@ -30,7 +29,7 @@ namespace lightcuts {
 /// Noise in place of the structured error of fixed representatives.
 ///
 /// Unbiased: over the seeds, the mean radiance is the exact one. For the cut must not depend on
-/// what is drawn, and it does not: BasicCutSelector picks it by Rules, whose estimates are
+/// what is drawn, and it does not: CutSelector picks it by estimates that are
 /// deterministic, as if all lights were seen. In shadow the threshold is thus relative to more
 /// light than there is. A cluster is a sum of lights, each with p > 0 where f > 0, so that the mean
 /// of f/p is that sum; a leaf is exact. What leaves of this is the resolution of random numbers,
@@ -40,7 +39,7 @@ namespace lightcuts {
 /// is seen. `end` and the bounds are those of the choice of the cut. The certified error is that of
 /// this one sample: a cluster's truth is between 0 and its bound, and f/p is known.
 /// One selector per thread; no allocation once the largest cut has been seen.
-template <class Rules, class Importance>
+template <class Importance>
 class BasicStochasticCutSelector {
 public:
   /// The tree must outlive the selector. Throws InputError, naming the field, where the
@@ -53,24 +52,17 @@ public:
   /// query: a number of its own for each point, such as the pixel's index; the same seed, query and
   /// point give the same bits. visible(i) tells whether light i of the LightSet is seen from the
   /// point; called once per cluster at most, for lights that would contribute.
-  template <class Visible>
-  Cut operator()(const ShadingPoint& point, std::uint64_t query, Visible&& visible) {
+  Cut operator()(const ShadingPoint& point, std::uint64_t query, Visibility visible) {
     Cut cut = select_(point, [](std::uint32_t /*light*/) { return true; });
     cut.shadow_rays = 0;
     clusters_.assign(cut.clusters.begin(), cut.clusters.end());
-    std::visit(
-        [&](const auto& lobe) {
-          for (CutCluster& cluster : clusters_)
-            if (!is_dark(cluster)) draw(cluster, point, lobe, query, visible, cut.shadow_rays);
-        },
-        point.material().lobe);
+    for (CutCluster& cluster : clusters_)
+      if (!is_dark(cluster)) draw(cluster, point, query, visible, cut.shadow_rays);
     add_up(cut);
     return cut;
   }
 
 private:
-  using Features = typename Rules::Features;
-
   /// The choice needs no error bounds, which take time.
   static CutConfig with_lower_bounds_left_out(CutConfig config) {
     config.unoccluded = false;
@@ -85,17 +77,16 @@ private:
     return !is_leaf(cluster) && cluster.bound == glm::vec3(0);
   }
 
-  template <class OneLobe, class Visible>
-  void draw(CutCluster& cluster, const ShadingPoint& point, const OneLobe& lobe,
-            std::uint64_t query, Visible& visible, std::uint32_t& shadow_rays) const {
-    const LightSample sample = sample_light(Importance(), *tree_, cluster.node, point, lobe,
+  void draw(CutCluster& cluster, const ShadingPoint& point, std::uint64_t query,
+            const Visibility& visible, std::uint32_t& shadow_rays) const {
+    const LightSample sample = sample_light(Importance(), *tree_, cluster.node, point,
                                             random_number(seed_, query, cluster.node));
     cluster.visible = true;
     cluster.estimate = glm::dvec3(0);
     if (sample.probability == 0) return;
     const Light& light = tree_->lights()[sample.light];
-    const glm::dvec3 contribution = transfer<Features>(point, lobe, light, tree_->min_distance2()) *
-                                    glm::dvec3(light.intensity);
+    const glm::dvec3 contribution =
+        transfer(point, light, tree_->lights().min_distance()) * glm::dvec3(light.intensity);
     if (contribution == glm::dvec3(0)) return;
     if (!unoccluded_) {
       ++shadow_rays;
@@ -120,14 +111,13 @@ private:
   }
 
   const LightTree* tree_;
-  BasicCutSelector<Rules> select_;
+  CutSelector select_;
   bool unoccluded_;
   std::uint64_t seed_;
   std::vector<CutCluster> clusters_;
 };
 
-/// For any scene, by hierarchical importance.
-using StochasticCutSelector =
-    BasicStochasticCutSelector<LightcutsRules, HierarchicalImportance<AnyFeatures>>;
+/// By hierarchical importance.
+using StochasticCutSelector = BasicStochasticCutSelector<HierarchicalImportance>;
 
 } // namespace lightcuts

@@ -4,41 +4,15 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <lightcuts/core/cut/cut_selector.h>
-#include <lightcuts/core/methods/chosen_rules.h>
+#include <lightcuts/core/methods/all_methods.h>
 #include <lightcuts/core/tree/light_tree.h>
 #include <lightcuts/render/view/scene_view.h>
 
 namespace lightcuts {
-
-/// How pixels are lit, roughly from worse to better but for the reference.
-enum class Method {
-  reference,            ///< every light on its own
-  unscaled,             ///< paper without scaling: too dark, to compare with; see UnscaledRules
-  paper,                ///< lightcuts as published, to compare with; see PaperRules
-  stochastic_intensity, ///< lights drawn from a cut, see StochasticCutSelector, by intensity
-  stochastic,           ///< the same by hierarchical importance: unbiased, with noise
-  no_specular_bound, ///< lightcuts with glossy lobes bounded by their peaks, to compare with; see
-                     ///< NoSpecularBoundRules
-  lightcuts          ///< a cut of the light tree; see LightcutsRules
-};
-inline constexpr Method all_methods[] = {
-    Method::reference,  Method::unscaled,          Method::paper,    Method::stochastic_intensity,
-    Method::stochastic, Method::no_specular_bound, Method::lightcuts};
-
-/// Whether the method draws lights at random: RenderConfig::seed matters.
-[[nodiscard]] constexpr bool is_stochastic(Method method) {
-  return method == Method::stochastic || method == Method::stochastic_intensity;
-}
-
-/// The methods by the names that the command line and reports use.
-[[nodiscard]] const char* name_of(Method method);
-[[nodiscard]] std::optional<Method> method_named(std::string_view name);
 
 /// A rectangle of pixels: x in [lo.x, hi.x), y in [lo.y, hi.y).
 struct PixelRect {
@@ -46,7 +20,7 @@ struct PixelRect {
 };
 
 struct RenderConfig {
-  Method method = Method::lightcuts;
+  Method method = methods::lightcuts;
   CutConfig cut;          ///< for all methods but the reference
   bool use_tree = true;   ///< false: lightcuts sums all lights, see SceneFeatures::tree
   bool specialise = true; ///< false: cuts by the kernel for any scene, which casts
@@ -54,7 +28,7 @@ struct RenderConfig {
   unsigned threads = 0;   ///< 0: one per core; default 0
   std::uint64_t seed = 1; ///< of the methods that draw lights; default 1
   /// In place of those of lightcuts, by the kernel for any scene; default: none
-  std::optional<ChosenRules> rules;
+  std::optional<ClusterRules> rules;
   std::function<void(double)> progress; ///< called with the share done, by any thread; may be empty
   std::function<bool()> cancelled; ///< asked before each pixel, by any thread, whether to leave the
                                    ///< others; may be empty

@@ -39,7 +39,7 @@ Picture preview_of(const Scene& scene) {
 /// Every light on its own, emission included.
 Picture reference_of(const Scene& scene) {
   const LightTree tree = build(scene.lights);
-  Rendering rendering = render(SceneView(scene), tree, {.method = Method::reference});
+  Rendering rendering = render(SceneView(scene), tree, {.method = methods::reference});
   for (std::size_t i = 0; i < rendering.radiance.size(); ++i)
     rendering.radiance[i] += rendering.emission[i];
   return rendering.radiance;

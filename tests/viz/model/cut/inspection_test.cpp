@@ -36,10 +36,9 @@ void expect_cut(const Inspection& found, const Cut& cut) {
   }
 }
 
-template <class Rules>
-void expect_cuts_by(Method method) {
-  SCOPED_TRACE(name_of(method));
-  BasicCutSelector<Rules> select(*small_scene()->tree(), config_of(always_cuts()));
+void expect_cuts_by(const ClusterRules& rules, Method method) {
+  SCOPED_TRACE(method->name);
+  CutSelector select(*small_scene()->tree(), config_of(always_cuts()), rules);
   for (const glm::uvec2 pixel : some_pixels) {
     const SmallPoint at(pixel);
     const Inspection found = inspect({small_key(method), pixel, {}});
@@ -51,20 +50,19 @@ void expect_cuts_by(Method method) {
 }
 
 TEST(Inspect, PicksTheCutOfTheMethod) {
-  expect_cuts_by<LightcutsRules>(Method::lightcuts);
-  expect_cuts_by<LightcutsRules>(Method::reference);
-  expect_cuts_by<PaperRules>(Method::paper);
-  expect_cuts_by<UnscaledRules>(Method::unscaled);
-  expect_cuts_by<NoSpecularBoundRules>(Method::no_specular_bound);
+  expect_cuts_by(ClusterRules(), methods::lightcuts);
+  expect_cuts_by(ClusterRules(), methods::reference);
+  expect_cuts_by(methods::paper.rules, methods::paper);
+  expect_cuts_by(methods::unscaled.rules, methods::unscaled);
+  expect_cuts_by(methods::no_specular_bound.rules, methods::no_specular_bound);
 }
 
 template <class Importance>
 void expect_draws_by(Method method, std::uint64_t seed) {
-  SCOPED_TRACE(name_of(method));
+  SCOPED_TRACE(method->name);
   ShadingSettings settings = always_cuts();
   settings.seed = seed;
-  BasicStochasticCutSelector<LightcutsRules, Importance> select(*small_scene()->tree(),
-                                                                config_of(settings), seed);
+  BasicStochasticCutSelector<Importance> select(*small_scene()->tree(), config_of(settings), seed);
   for (const glm::uvec2 pixel : some_pixels) {
     const SmallPoint at(pixel);
     expect_cut(inspect({small_key(method, settings), pixel, {}}),
@@ -74,8 +72,8 @@ void expect_draws_by(Method method, std::uint64_t seed) {
 
 TEST(Inspect, DrawsThePixelsOwnLights) {
   for (const std::uint64_t seed : {1U, 9U}) {
-    expect_draws_by<HierarchicalImportance<AnyFeatures>>(Method::stochastic, seed);
-    expect_draws_by<IntensityImportance>(Method::stochastic_intensity, seed);
+    expect_draws_by<HierarchicalImportance>(methods::stochastic, seed);
+    expect_draws_by<IntensityImportance>(methods::stochastic_intensity, seed);
   }
 }
 
@@ -83,7 +81,7 @@ TEST(Inspect, HasTheRadianceOfTheRenderedPixelByEveryMethodWithACut) {
   ShadingSettings settings = always_cuts();
   settings.seed = 3;
   for (const Method method : all_methods) {
-    if (method == Method::reference) continue;
+    if (method == methods::reference) continue;
     const auto frame = made<Frame>(small_key(method, settings));
     for (const glm::uvec2 pixel : some_pixels) {
       const Inspection found = inspect({frame->key(), pixel, {}});
@@ -158,7 +156,7 @@ TEST(Inspect, SharesOutWhatTheThresholdAllows) {
 }
 
 TEST(Inspect, OfAStepIsTheCutOfThatSize) {
-  for (const Method method : {Method::lightcuts, Method::paper}) {
+  for (const Method method : {methods::lightcuts, methods::paper}) {
     const Inspection final = inspect({small_key(method), some_pixels[0], {}});
     ASSERT_GT(final.final_size, 8U);
     ASSERT_LT(final.final_size, 200U);
@@ -224,7 +222,7 @@ TEST(Inspect, OfACounterexampleIsTheSubjectsCutAtItsPoint) {
     settings.max_cut = cut.max_size;
     cut.black_level = c.on.cut.black_level;
     const Inspection found =
-        inspect({{scene, Method::lightcuts, settings, scene->scene().camera}, {0, 0}, {}});
+        inspect({{scene, methods::lightcuts, settings, scene->scene().camera}, {0, 0}, {}});
     EXPECT_EQ(found.position, view.view.position);
     expect_cut(found, tree->select(view.view.point(), cut, seen));
     const Cut right = library->select(view.view.point(), cut, seen);
@@ -235,7 +233,7 @@ TEST(Inspect, OfACounterexampleIsTheSubjectsCutAtItsPoint) {
 
 TEST(Inspect, OfACounterexampleShowsTheBoundThatIsBroken) {
   const auto scene = CounterexampleFile(broken_bound, counterexample_of(broken_bound)).open();
-  const InspectionKey key{{scene, Method::lightcuts, {}, scene->scene().camera}, {0, 0}, 1U};
+  const InspectionKey key{{scene, methods::lightcuts, {}, scene->scene().camera}, {0, 0}, 1U};
   Inspection found = inspect(key);
   ASSERT_THAT(found.clusters, SizeIs(1));
   EXPECT_EQ(found.clusters[0].node, scene->counterexample()->node);

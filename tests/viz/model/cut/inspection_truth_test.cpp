@@ -94,8 +94,8 @@ TEST(RefinementCurve, HasEverySizeWhereThereIsRoomAndNoneWhereItIsCancelled) {
 
 TEST(RowOf, IsTheCutsOwnRowForEveryClusterOfIt) {
   std::size_t hidden = 0;
-  for (const Method method : {Method::lightcuts, Method::reference, Method::paper, Method::unscaled,
-                              Method::no_specular_bound})
+  for (const Method method : {methods::lightcuts, methods::reference, methods::paper, methods::unscaled,
+                              methods::no_specular_bound})
     for (unsigned i = 0; i < 32 * 24; i += 5) {
       const InspectionKey key{small_key(method), {i % 32, i / 32}, {}};
       for (const ClusterRow& expected : inspect(key).clusters) {

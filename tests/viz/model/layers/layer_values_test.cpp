@@ -24,7 +24,7 @@ constexpr std::size_t pixels = std::size_t(size.x) * size.y;
 /// All that any layer needs, whole.
 const LayerSources& whole() {
   static const LayerSources sources{made<Frame>(small_key()),
-                                    made<Frame>(small_key(Method::reference)),
+                                    made<Frame>(small_key(methods::reference)),
                                     made<TruthPicture>(small_key())};
   return sources;
 }
@@ -120,7 +120,7 @@ TEST(LayerValues, ShowTheNearestPixelThatAllPicturesKnow) {
     if (frame_is_coarse)
       sources.frame = begun<Frame>(small_key());
     else
-      sources.reference = begun<Frame>(small_key(Method::reference));
+      sources.reference = begun<Frame>(small_key(methods::reference));
     const LayerValues values = layer_values(Layer::error, sources);
     EXPECT_THAT(values.known, Each(1));
     for (std::size_t i = 0; i < pixels; ++i) {
@@ -132,7 +132,7 @@ TEST(LayerValues, ShowTheNearestPixelThatAllPicturesKnow) {
 
 TEST(LayerValues, KnowNothingBeforeThereIsAnything) {
   LayerSources sources = whole();
-  sources.reference = std::make_shared<Frame>(small_key(Method::reference));
+  sources.reference = std::make_shared<Frame>(small_key(methods::reference));
   EXPECT_THAT(layer_values(Layer::error, sources).known, Each(0));
   EXPECT_THAT(layer_values(Layer::cut_size, sources).known, Each(1)) << "needs none";
   EXPECT_FALSE(layer_value(Layer::error, sources, {16, 12}));
@@ -143,7 +143,7 @@ TEST(LayerValues, KnowNothingBeforeThereIsAnything) {
 
 TEST(LayerValues, GrowTheirVersionWithEveryPictureThatTheyNeed) {
   LayerSources sources{std::make_shared<Frame>(small_key()),
-                       std::make_shared<Frame>(small_key(Method::reference)),
+                       std::make_shared<Frame>(small_key(methods::reference)),
                        std::make_shared<TruthPicture>(small_key())};
   const auto versions = [&] {
     return std::array{version_of(Layer::image, sources), version_of(Layer::error, sources),

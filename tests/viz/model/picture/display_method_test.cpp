@@ -13,8 +13,8 @@ namespace {
 TEST(DisplayMethod, IsEachOfTheLibrarysOrThePreview) {
   EXPECT_EQ(std::size(all_displays), std::size(all_methods) + 1);
   EXPECT_TRUE(DisplayMethod::raster().is_raster());
-  EXPECT_EQ(DisplayMethod::raster().method(), Method::lightcuts);
-  EXPECT_NE(DisplayMethod::raster(), DisplayMethod(Method::lightcuts));
+  EXPECT_EQ(DisplayMethod::raster().method(), methods::lightcuts);
+  EXPECT_NE(DisplayMethod::raster(), DisplayMethod(methods::lightcuts));
   for (const Method method : all_methods) {
     const DisplayMethod display = method;
     EXPECT_FALSE(display.is_raster());
@@ -39,17 +39,17 @@ TEST(DisplayMethod, IsFoundByItsNameAndSaysWhatItIs) {
 
 TEST(DisplayMethod, GoesRoundInBothDirections) {
   for (const int direction : {1, -1}) {
-    DisplayMethod display = Method::lightcuts;
+    DisplayMethod display = methods::lightcuts;
     std::set<std::string> seen;
     for (std::size_t i = 0; i < std::size(all_displays); ++i) {
       seen.insert(name_of(display));
       EXPECT_EQ(next(next(display, direction), -direction), display);
       display = next(display, direction);
     }
-    EXPECT_EQ(display, DisplayMethod(Method::lightcuts));
+    EXPECT_EQ(display, DisplayMethod(methods::lightcuts));
     EXPECT_EQ(seen.size(), std::size(all_displays));
   }
-  EXPECT_EQ(next(DisplayMethod::raster(), 1), DisplayMethod(Method::reference));
+  EXPECT_EQ(next(DisplayMethod::raster(), 1), DisplayMethod(methods::reference));
 }
 
 } // namespace

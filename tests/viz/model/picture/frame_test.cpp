@@ -43,13 +43,13 @@ TEST(Frame, IsTheLibrarysPictureByEveryMethod) {
 }
 
 TEST(Frame, IsTheSamePictureHoweverOftenItIsCancelled) {
-  Frame frame(small_key(Method::stochastic));
+  Frame frame(small_key(methods::stochastic));
   for (int round = 0; !frame.complete(); ++round) {
     std::atomic<int> asked = 0;
     frame.advance([&] { return ++asked > 90 + round; });
     ASSERT_LT(round, 1000);
   }
-  expect_same(frame.rendering(), rendered(Method::stochastic, 1, frame.key().camera));
+  expect_same(frame.rendering(), rendered(methods::stochastic, 1, frame.key().camera));
 }
 
 TEST(Frame, IsSeenByItsOwnCamera) {
@@ -57,34 +57,34 @@ TEST(Frame, IsSeenByItsOwnCamera) {
   key.camera.position += glm::vec3(0.3F, 0.2F, 0);
   key.camera.vertical_fov = 30;
   const auto frame = made<Frame>(key);
-  expect_same(frame->rendering(), rendered(Method::lightcuts, 1, key.camera));
+  expect_same(frame->rendering(), rendered(methods::lightcuts, 1, key.camera));
   EXPECT_NE(frame->rendering().radiance, made<Frame>(small_key())->rendering().radiance);
 }
 
 TEST(Frame, IsByTheRulesThatAreChosen) {
   ShadingSettings settings = always_cuts();
-  settings.rules.bound_rule = BoundRule::product;
-  settings.rules.estimate_rule = EstimateRule::representative;
-  const auto frame = made<Frame>(small_key(Method::lightcuts, settings));
-  expect_same(frame->rendering(), rendered(Method::paper, 1, frame->key().camera));
+  settings.rules.bound = BoundRule::product;
+  settings.rules.estimate = EstimateRule::representative;
+  const auto frame = made<Frame>(small_key(methods::lightcuts, settings));
+  expect_same(frame->rendering(), rendered(methods::paper, 1, frame->key().camera));
 }
 
 TEST(Frame, HasTheThresholdAndLargestCutThatAreChosen) {
   ShadingSettings settings = always_cuts();
   settings.threshold = 0;
   settings.max_cut = 7;
-  const auto frame = made<Frame>(small_key(Method::lightcuts, settings));
+  const auto frame = made<Frame>(small_key(methods::lightcuts, settings));
   EXPECT_EQ(frame->cut().threshold, 0);
   EXPECT_THAT(frame->rendering().cut_size, Each(testing::AnyOf(0, 7)));
   settings.threshold.reset();
-  EXPECT_EQ(Frame(small_key(Method::lightcuts, settings)).cut().threshold,
+  EXPECT_EQ(Frame(small_key(methods::lightcuts, settings)).cut().threshold,
             default_threshold(small_scene()->view()));
 }
 
 TEST(Frame, SumsAllLightsWhereTheTreeDoesNotPay) {
   ShadingSettings settings;
   settings.threshold = 0.001F;
-  Frame frame(small_key(Method::lightcuts, settings));
+  Frame frame(small_key(methods::lightcuts, settings));
   EXPECT_FALSE(frame.features()) << "nothing is known before it has begun";
   EXPECT_FALSE(frame.sums_all_lights());
   frame.advance(never);
@@ -96,16 +96,16 @@ TEST(Frame, SumsAllLightsWhereTheTreeDoesNotPay) {
   EXPECT_EQ(frame.features()->pilot_cut_size, expected.pilot_cut_size);
   EXPECT_TRUE(frame.sums_all_lights());
   EXPECT_EQ(frame.rendering().radiance,
-            made<Frame>(small_key(Method::reference))->rendering().radiance);
+            made<Frame>(small_key(methods::reference))->rendering().radiance);
 }
 
 TEST(Frame, AsksWhetherTheTreePaysOnlyWhereThatMatters) {
   EXPECT_FALSE(made<Frame>(small_key())->features()) << "always cuts";
   EXPECT_FALSE(made<Frame>(small_key())->sums_all_lights());
-  const auto reference = made<Frame>(small_key(Method::reference, {}));
+  const auto reference = made<Frame>(small_key(methods::reference, {}));
   EXPECT_FALSE(reference->features());
   EXPECT_TRUE(reference->sums_all_lights());
-  EXPECT_FALSE(made<Frame>(small_key(Method::paper, {}))->features());
+  EXPECT_FALSE(made<Frame>(small_key(methods::paper, {}))->features());
 }
 
 } // namespace

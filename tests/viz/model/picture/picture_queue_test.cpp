@@ -35,7 +35,7 @@ private:
 FrameKey key_with_seed(std::uint64_t seed) {
   ShadingSettings settings = always_cuts();
   settings.seed = seed;
-  return small_key(Method::stochastic, settings);
+  return small_key(methods::stochastic, settings);
 }
 
 TEST(PictureQueue, RemembersThePicturesOfAKey) {
@@ -44,7 +44,7 @@ TEST(PictureQueue, RemembersThePicturesOfAKey) {
   EXPECT_EQ(frame->key(), small_key());
   EXPECT_EQ(frame->share(), 0);
   EXPECT_EQ(queue.frame(small_key()), frame);
-  EXPECT_NE(queue.frame(small_key(Method::paper)), frame);
+  EXPECT_NE(queue.frame(small_key(methods::paper)), frame);
   const auto truth = queue.truth(small_key());
   EXPECT_EQ(queue.truth(small_key()), truth);
   queue.clear();

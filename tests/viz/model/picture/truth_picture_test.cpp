@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <lightcuts/core/methods/paper_rules.h>
+#include <lightcuts/core/methods/paper.h>
 #include <oracle/subjects/library_subject.h>
 #include <oracle/truth/clairvoyant.h>
 
@@ -45,10 +45,11 @@ void expect_clairvoyant(const FrameKey& key, oracle::SubjectTree& tree) {
 }
 
 TEST(TruthPicture, HasTheOraclesClairvoyantCuts) {
-  oracle::RulesTree<LightcutsRules> library(*small_scene()->tree());
+  oracle::LibraryTree library(*small_scene()->tree());
   expect_clairvoyant(small_key(), library);
-  oracle::RulesTree<PaperRules> paper(*small_scene()->tree());
-  expect_clairvoyant(small_key(Method::paper), paper);
+  oracle::LibraryTree paper(*small_scene()->tree(),
+                              oracle::library_kernel(all_light_kinds, methods::paper.rules));
+  expect_clairvoyant(small_key(methods::paper), paper);
 }
 
 TEST(TruthPicture, HasACutWhereverASurfaceIsSeenAndNothingElsewhere) {
@@ -89,7 +90,7 @@ TEST(TruthPicture, IsTheSameHoweverOftenItIsCancelled) {
 TEST(TruthPicture, FindsWhatIsWrongWithTheSubjectOfACounterexample) {
   const CounterexampleFile file(broken_bound, counterexample_of(broken_bound));
   const auto scene = file.open();
-  const auto picture = begun<TruthPicture>({scene, Method::lightcuts, {}, scene->scene().camera});
+  const auto picture = begun<TruthPicture>({scene, methods::lightcuts, {}, scene->scene().camera});
   EXPECT_EQ(picture->failure(), "");
   const auto& violations = picture->violations();
   EXPECT_GT(*std::max_element(violations.begin(), violations.end()), 0);

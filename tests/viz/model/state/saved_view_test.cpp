@@ -38,7 +38,7 @@ TEST(FilmOf, HasTheLayersThatWereMade) {
     ASSERT_EQ(film.channel("cut-size")[i], r.cut_size[i]);
   }
   const auto values =
-      layer_values(Layer::error, bench.sources(Method::lightcuts, Layer::error)).values;
+      layer_values(Layer::error, bench.sources(methods::lightcuts, Layer::error)).values;
   for (std::size_t i = 0; i < film.pixel_count(); ++i)
     ASSERT_EQ(film.channel("error")[i], values[i]);
   for (const char* name : {"R", "B", "shadow-rays", "certified-error", "slack", "time"})
@@ -48,7 +48,7 @@ TEST(FilmOf, HasTheLayersThatWereMade) {
 
 TEST(FilmOf, SaysWhatItIs) {
   SmallWorkbench bench;
-  bench.state.display = Method::paper;
+  bench.state.display = methods::paper;
   settle(bench);
   const Film film = film_of(bench, {});
   EXPECT_EQ(film.metadata.at("scene"), small_spec);
@@ -71,7 +71,7 @@ TEST(FilmOf, HasNoPixelInPlaceOfAnother) {
   bench.holds_pictures = true;
   settle(bench);
   const auto frame =
-      std::const_pointer_cast<Frame>(bench.sources(Method::lightcuts, Layer::image).frame);
+      std::const_pointer_cast<Frame>(bench.sources(methods::lightcuts, Layer::image).frame);
   frame->advance([&] { return frame->share() >= 4.0 / (32 * 24); });
   const Film film = film_of(bench, {});
   for (unsigned i = 0; i < 32 * 24; ++i) {
@@ -99,7 +99,7 @@ TEST(SaveView, WritesThePictureTheNumbersAndTheState) {
 TEST(SaveView, OpensAsItWasSaved) {
   const TemporaryFolder folder;
   SmallWorkbench bench;
-  bench.state.display = Method::stochastic;
+  bench.state.display = methods::stochastic;
   bench.state.shading.seed = 7;
   bench.state.camera = small_scene()->scene().camera;
   bench.state.camera->vertical_fov = 33;

@@ -28,7 +28,7 @@ ViewState chosen() {
   s.open = {"models/a \"room\".obj",  0xffff'ffff'ffff'ffffU,
             Builder::locally_ordered, 0.1F,
             glm::uvec2(123, 45),      4321};
-  s.display = Method::stochastic;
+  s.display = methods::stochastic;
   s.compared = DisplayMethod::raster();
   s.layer = Layer::slack;
   s.split = true;
@@ -38,8 +38,8 @@ ViewState chosen() {
   s.step = 9;
   s.shading.threshold = 0.07F;
   s.shading.max_cut = 123;
-  s.shading.rules.bound_rule = BoundRule::product;
-  s.shading.rules.estimate_rule = EstimateRule::unscaled;
+  s.shading.rules.bound = BoundRule::product;
+  s.shading.rules.estimate = EstimateRule::unscaled;
   s.shading.tree_use = TreeUse::always;
   s.shading.seed = 0x8000'0000'0000'0001U;
   s.colours = {ColourMap::turbo, true, false, 0.01F, 33.3F, 1.7F};
@@ -75,8 +75,8 @@ TEST(ViewState, ComesBackWithEveryChoiceOfAKind) {
   for (const auto bound : {BoundRule::joint, BoundRule::no_specular, BoundRule::product})
     for (const auto estimate :
          {EstimateRule::centroid, EstimateRule::representative, EstimateRule::unscaled}) {
-      state.shading.rules.bound_rule = bound;
-      state.shading.rules.estimate_rule = estimate;
+      state.shading.rules.bound = bound;
+      state.shading.rules.estimate = estimate;
       EXPECT_EQ(read_back(state), state);
     }
 }

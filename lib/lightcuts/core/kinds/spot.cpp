@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/core/lights/emission.h>
+#include <lightcuts/core/kinds/spot.h>
 
 #include <lightcuts/core/numerics/expansion.h>
 
-namespace lightcuts::detail {
+namespace lightcuts {
 
 // With p = a.d, L = |a| |d| and c = cos_outer: p/L - c = (p^2 - c^2 L^2) / (L (p + c L)), of which
 // only the numerator cancels. It is a sum of products of six floats: no bit is below 2^-894.
-double exact_rim_distance(const Light& light, const glm::vec3& x) {
+double Spot::exact_rim_distance(const Light& light, const glm::vec3& x) {
   const glm::vec3 &a = light.axis, &y = light.position;
   Expansion<6> p;
   Expansion<3> axis2;
@@ -32,4 +32,4 @@ double exact_rim_distance(const Light& light, const glm::vec3& x) {
   return numerator.rounded() / (length * (p.rounded() + c * length));
 }
 
-} // namespace lightcuts::detail
+} // namespace lightcuts

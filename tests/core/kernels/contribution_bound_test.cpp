@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/core/kernels/error_bound.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
 
 #include <string>
 #include <tuple>
@@ -25,13 +25,11 @@ constexpr float largest = std::numeric_limits<float>::max();
 constexpr double least = 0x1p-149; ///< smallest subnormal float
 
 glm::vec3 bound_of(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
-  return std::visit([&](const auto& lobe) { return contribution_bound(tree, node, point, lobe); },
-                    point.material().lobe);
+  return contribution_bound(tree, node, point);
 }
 
 glm::vec3 product_of(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
-  return std::visit([&](const auto& lobe) { return product_bound(tree, node, point, lobe); },
-                    point.material().lobe);
+  return contribution_bound(tree, node, point, BoundRule::product);
 }
 
 /// Of one omni light alone.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <glm/vec3.hpp>
+#include <lightcuts/core/kernels/cluster_kernel.h>
+#include <lightcuts/core/lights/light.h>
+#include <lightcuts/core/tree/light_tree.h>
+
+namespace lightcuts {
+
+/// What is compiled for each kind of light, in a translation unit of its own, lobes inside. Nodes
+/// are of that kind.
+struct KindKernel {
+  using Bound = glm::vec3(const LightTree&, std::uint32_t node, const ShadingPoint&);
+  using Estimate = glm::dvec3(const LightTree&, std::uint32_t node, const ShadingPoint&);
+
+  Bound* bound[bound_rule_count];
+  Estimate* centroid_estimate;
+  /// Upper bound of intensity material n.l emission alone, whatever the distance.
+  Bound* cosine_bound;
+  Estimate* lower_bound; ///< not rounded down to float yet
+  /// ClusterKernel::evaluate() by the default rules.
+  void (*evaluate)(const LightTree&, const ShadingPoint&, std::span<CutCluster>);
+  /// Joint bounds of nodes 0, 1, ...
+  void (*all_bounds)(const LightTree&, const ShadingPoint&, std::span<glm::vec3>);
+  /// transfer() of each light.
+  void (*transfers)(const ShadingPoint&, std::span<const Light>, double min_distance2,
+                    glm::dvec3* results);
+};
+
+/// The kernel of one kind of LightKindList, defined in a translation unit that CMake makes for it.
+template <class Kind>
+struct CompiledForKind {
+  static const KindKernel& kernel();
+};
+
+[[nodiscard]] const KindKernel& kernel_of(LightKind kind);
+
+} // namespace lightcuts

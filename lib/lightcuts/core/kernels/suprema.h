@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include <glm/vec3.hpp>
+#include <lightcuts/core/geometry/box.h>
+#include <lightcuts/core/geometry/box_bounds.h>
+#include <lightcuts/core/kinds/light_kinds.h>
+#include <lightcuts/core/tree/light_tree.h>
+
+namespace lightcuts {
+
+/// The suprema over the box of a cluster that its bound is a product of; see cluster_bound(). Of
+/// one kind of light: n.l and the falloff in one, as tight as the box allows.
+template <class Kind>
+struct JointSuprema {
+  static constexpr LightKind kind_of(const TreeNode& /*cluster*/) { return Kind::kind; }
+
+  /// Of n.l falloff, n about unit, times the length of n.
+  static double max_cosine_falloff(LightKind /*kind*/, const glm::vec3& n, const glm::vec3& from,
+                                   const Box& box, double min_distance2) {
+    if (is_at_infinity(Kind::kind)) return max_cosine(n, from, box);
+    const double joint = max_cosine_over_distance2(n, from, box);
+    // The clamped one is the smaller of two, and so is its supremum at most: the first of them
+    // where no distance is clamped.
+    if (min_distance2 > 0 && joint > 0 && lightcuts::min_distance2(from, box) < min_distance2)
+        [[unlikely]]
+      return std::min(joint, max_cosine(n, from, box) / min_distance2);
+    return joint;
+  }
+
+  /// Of the falloff alone.
+  static double max_falloff(LightKind /*kind*/, const glm::vec3& from, const Box& box,
+                            double min_distance2) {
+    if (is_at_infinity(Kind::kind)) return 1;
+    return 1 / std::max(lightcuts::min_distance2(from, box), min_distance2);
+  }
+
+  /// Of emission() of the lights of node i.
+  static double max_emission(const LightTree& tree, std::uint32_t i, LightKind /*kind*/,
+                             const glm::vec3& from) {
+    return Kind::max_emission(tree.emission(i), from, tree.node(i).box);
+  }
+};
+
+/// Separate maxima of n.l and the falloff, as the paper has it: looser.
+template <class Kind>
+struct ProductSuprema : JointSuprema<Kind> {
+  static double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
+                                   const Box& box, double min_distance2) {
+    const double cosine = max_cosine(n, from, box);
+    return cosine == 0 ? 0
+                       : cosine * JointSuprema<Kind>::max_falloff(kind, from, box, min_distance2);
+  }
+};
+
+/// Material, cosine and emission alone, whatever the distance.
+template <class Kind>
+struct CosineSuprema : JointSuprema<Kind> {
+  static double max_cosine_falloff(LightKind /*kind*/, const glm::vec3& n, const glm::vec3& from,
+                                   const Box& box, double /*min_distance2*/) {
+    return max_cosine(n, from, box);
+  }
+  static double max_falloff(LightKind /*kind*/, const glm::vec3& /*from*/, const Box& /*box*/,
+                            double /*min_distance2*/) {
+    return 1;
+  }
+};
+
+} // namespace lightcuts

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <numbers>
+#include <variant>
+
+#include <glm/vec3.hpp>
+#include <lightcuts/core/kinds/light_kinds.h>
+#include <lightcuts/core/lights/light.h>
+#include <lightcuts/core/lobes/shading_point.h>
+#include <lightcuts/core/shading/sight.h>
+
+namespace lightcuts {
+
+/// Relative error of transfer(), where the result is above 10^-150: the lobe, dot products, a few
+/// roundings.
+inline constexpr double transfer_error = 0x1p-26;
+
+/// How intensity falls off with the distance: 1/max(d^2, min_distance^2), 1 for directional lights.
+[[nodiscard]] inline double falloff(LightKind kind, double distance2, double min_distance2) {
+  return is_at_infinity(kind) ? 1 : 1 / std::max(distance2, min_distance2);
+}
+
+/// Radiance that reaches the viewer of a point by way of `sight`, per unit of intensity that is
+/// sent there: (diffuse/pi + lobe(l)) n.l falloff. Something exactly at the point has no direction
+/// and sends 0. Never NaN or negative.
+template <class OneLobe>
+[[nodiscard]] glm::dvec3 reflected(const ShadingPoint& point, const OneLobe& lobe,
+                                   const Sight& sight, LightKind kind, double min_distance2) {
+  if (sight.below_horizon()) return glm::dvec3(0);
+  const glm::dvec3 brdf =
+      glm::dvec3(point.material().diffuse) * std::numbers::inv_pi + lobe.evaluate(sight);
+  return brdf * (sight.cosine() * falloff(kind, sight.distance2(), min_distance2));
+}
+
+/// Radiance per unit of intensity that the unoccluded light of this kind sends to the viewer of the
+/// point; lobe is that of the point's material.
+template <class Kind, class OneLobe>
+[[nodiscard]] glm::dvec3 transfer(const ShadingPoint& point, const OneLobe& lobe,
+                                  const Light& light, double min_distance2) {
+  const Sight sight(point, Kind::kind, light.position);
+  return reflected(point, lobe, sight, Kind::kind, min_distance2) *
+         Kind::emission(light, point.position());
+}
+
+/// transfer() of any light to a point of any material; min_distance as of LightSet.
+[[nodiscard]] glm::dvec3 transfer(const ShadingPoint& point, const Light& light,
+                                  float min_distance = 0);
+
+} // namespace lightcuts
