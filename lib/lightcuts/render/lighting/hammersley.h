@@ -13,8 +13,9 @@ namespace lightcuts {
 /// around it by a random shift (Cranley & Patterson 1976): spread evenly, each uniform by itself.
 class Hammersley {
 public:
-  Hammersley(std::uint32_t count, Random random)
-      : count_(count), shift_(random.unit_double(), random.unit_double()) {}
+  Hammersley(std::uint32_t count, Random random) : count_(count) {
+    for (int axis = 1; axis >= 0; --axis) shift_[axis] = random.unit_double();
+  }
 
   /// Point i of [0, count), each coordinate in [0, 1).
   [[nodiscard]] glm::dvec2 operator[](std::uint32_t i) const {

@@ -44,8 +44,8 @@ public:
       const double survival = std::min(1.0, largest(reflected) / largest(flux));
       if (random.unit_double() >= survival) return;
       flux = reflected / survival;
-      const glm::dvec2 u(random.unit_double(), random.unit_double());
-      ray = {point.ray_origin, square_to_cosine(normal, u)};
+      const double y = random.unit_double(), x = random.unit_double();
+      ray = {point.ray_origin, square_to_cosine(normal, {x, y})};
     }
   }
 

@@ -172,9 +172,10 @@ void add_rug_and_plant(ShapeBuilder& shapes) {
   Random random(11);
   for (int i = 0; i < 40; ++i) {
     const glm::vec3 foot(0.45F, 0.24F, 0.95F);
-    const glm::vec3 tip = foot + glm::vec3(random.between(-0.3F, 0.3F), random.between(0.3F, 0.8F),
-                                           random.between(-0.3F, 0.3F));
-    const glm::vec3 side(random.between(-0.04F, 0.04F), 0, random.between(0.02F, 0.05F));
+    const float z = random.between(-0.3F, 0.3F), y = random.between(0.3F, 0.8F);
+    const glm::vec3 tip = foot + glm::vec3(random.between(-0.3F, 0.3F), y, z);
+    const float side_z = random.between(0.02F, 0.05F);
+    const glm::vec3 side(random.between(-0.04F, 0.04F), 0, side_z);
     const glm::vec3 middle = 0.5F * (foot + tip) + glm::vec3(0, 0.08F, 0);
     shapes.quad(foot, middle + side, tip, middle - side);
   }
