@@ -6,15 +6,10 @@
 #include <lightcuts/core/lights/light.h>
 #include <lightcuts/render/scene/scene.h>
 
+#include <lightcuts/render/lighting/kinds/kind_in_scenes.h>
 #include <lightcuts/render/lighting/random.h>
 
 namespace lightcuts {
-
-/// Where a ray of light starts, metres, and its unit direction.
-struct LightRay {
-  glm::vec3 origin;
-  glm::dvec3 direction;
-};
 
 /// How lights emit, as far as a mesh can be reached. See VirtualPointLights for the formulas.
 class LightEmission {
@@ -29,8 +24,7 @@ public:
   [[nodiscard]] LightRay ray(const Light& light, const glm::dvec2& u, Random& random) const;
 
 private:
-  glm::dvec3 centre_; // of the sphere around the scene's box
-  double radius_;
+  Reach reach_;
 };
 
 } // namespace lightcuts

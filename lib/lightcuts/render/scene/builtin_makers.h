@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 
 #include <lightcuts/render/scene/scene.h>
 
 namespace lightcuts {
 
-/// What a cloud's floor and blocks shine with.
-enum class Gloss : std::uint8_t { diffuse, phong, ward, ggx };
-/// The lights of a cloud; mixed: all four kinds in turn.
-enum class CloudLights : std::uint8_t { omni, oriented, spot, directional, mixed };
+/// What a cloud's floor and blocks can shine with.
+struct Gloss {
+  const char* name;
+  Lobe (*lobe)(float reflectance);
+};
+extern const std::array<Gloss, 5> glosses;
 
 /// A room with boxes in it under a cloud of lights; see builtin_scenes().
 struct CloudScene {
@@ -18,9 +22,10 @@ struct CloudScene {
 
   std::uint32_t lights = 10'000;
   std::uint32_t blocks = 40; ///< 0: the bare room, convex, in which nothing occludes
-  Gloss gloss = Gloss::diffuse;
-  CloudLights kind = CloudLights::omni; ///< with directional ones the room is open
-  float clamp = 0;                      ///< LightSet::min_distance(), m
+  const Gloss* gloss = &glosses[0];
+  /// Nothing: all kinds in turn. With lights at infinity the room is open.
+  std::optional<LightKind> kind = LightKind::omni;
+  float clamp = 0; ///< LightSet::min_distance(), m
   std::uint64_t seed = 1;
 };
 

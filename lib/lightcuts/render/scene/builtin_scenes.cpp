@@ -2,10 +2,10 @@
 #include <lightcuts/render/scene/builtin_scenes.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
@@ -56,8 +56,7 @@ std::uint64_t whole_number(const Parameter& p, std::uint64_t least, std::uint64_
 }
 
 /// The index of the parameter's value among these.
-template <std::size_t N>
-std::size_t choice(const Parameter& p, const std::array<const char*, N>& values) {
+std::size_t choice(const Parameter& p, const std::vector<const char*>& values) {
   const auto found = std::find(values.begin(), values.end(), p.value);
   if (found == values.end())
     throw InputError(fmt::format("{}: parameter '{}' is '{}', expected one of {}", p.scene, p.name,
@@ -75,9 +74,22 @@ float metres(const Parameter& p) {
   return number;
 }
 
-Gloss gloss_of(const Parameter& p) {
-  const std::size_t index = choice<5>(p, {"diffuse", "phong", "ward", "ggx", "glossy"});
-  return index == 4 ? Gloss::phong : Gloss(index);
+std::vector<const char*> materials_of_clouds() {
+  std::vector<const char*> names;
+  for (const Gloss& gloss : glosses) names.push_back(gloss.name);
+  return names;
+}
+
+std::vector<const char*> kinds_of_clouds() {
+  const auto kinds = names_of(LightKind());
+  std::vector<const char*> names(kinds.begin(), kinds.end());
+  names.push_back("mixed");
+  return names;
+}
+
+std::optional<LightKind> kind_of(const Parameter& p) {
+  const std::size_t index = choice(p, kinds_of_clouds());
+  return index < light_kind_count ? std::optional(LightKind(index)) : std::nullopt;
 }
 
 CloudScene cloud_of(const std::string& spec) {
@@ -88,9 +100,9 @@ CloudScene cloud_of(const std::string& spec) {
     else if (p.name == "blocks")
       cloud.blocks = static_cast<std::uint32_t>(whole_number(p, 0, CloudScene::max_blocks));
     else if (p.name == "material")
-      cloud.gloss = gloss_of(p);
+      cloud.gloss = &glosses[choice(p, materials_of_clouds())];
     else if (p.name == "kind")
-      cloud.kind = CloudLights(choice<5>(p, {"omni", "oriented", "spot", "directional", "mixed"}));
+      cloud.kind = kind_of(p);
     else if (p.name == "clamp")
       cloud.clamp = metres(p);
     else if (p.name == "seed")
@@ -124,9 +136,11 @@ const std::vector<BuiltinScene>& builtin_scenes() {
       {"desk", "a desk lit by its monitor: 24 x 9 white omni lights; some surfaces glossy"},
       {"desk-red", "the same; the lights on the screen's diagonal are red"},
       {"bedroom", "a furnished room lit by 100 coloured omni lights; some surfaces glossy"},
-      {"cloud", "a room of blocks under a cloud of lights: cloud?lights=10000&blocks=40"
-                "&material=diffuse|phong|ward|ggx&kind=omni|oriented|spot|directional|mixed"
-                "&clamp=0.1&seed=1; glossy stands for phong; default: no clamp"}};
+      {"cloud",
+       fmt::format("a room of blocks under a cloud of lights: cloud?lights=10000&blocks=40"
+                   "&material={}&kind={}&clamp=0.1&seed=1; glossy is phong; "
+                   "default: no clamp",
+                   fmt::join(materials_of_clouds(), "|"), fmt::join(kinds_of_clouds(), "|"))}};
   return scenes;
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include <glm/geometric.hpp>
-
 #include <lightcuts/render/lighting/light_generator.h>
+#include <lightcuts/render/lighting/light_kinds.h>
 
 #include <lightcuts/render/lighting/random.h>
 #include <lightcuts/render/scene/builtin_makers.h>
@@ -15,24 +14,16 @@ namespace {
 constexpr float width = 8, height = 4, depth = 8; // metres
 constexpr float tallest_block = 1.9F;             // lights hang above
 
-Material shiny(const glm::vec3& diffuse, Gloss gloss, float reflectance) {
-  Material material{diffuse, {}};
-  if (gloss == Gloss::phong) material.lobe = Phong{glm::vec3(reflectance), 50};
-  if (gloss == Gloss::ward) material.lobe = Ward{glm::vec3(reflectance), 0.15F};
-  if (gloss == Gloss::ggx) material.lobe = CookTorrance{glm::vec3(0.2F * reflectance), 0.15F};
-  return material;
-}
-
-bool is_open(CloudLights kind) {
-  return kind == CloudLights::directional || kind == CloudLights::mixed;
-}
+Lobe phong(float reflectance) { return Phong{glm::vec3(reflectance), 50}; }
+Lobe ward(float reflectance) { return Ward{glm::vec3(reflectance), 0.15F}; }
+Lobe ggx(float reflectance) { return CookTorrance{glm::vec3(0.2F * reflectance), 0.15F}; }
 
 /// The room's inner walls, of an open one those away from the camera: strictly convex, so nothing
 /// occludes.
 void add_room(ShapeBuilder& shapes, const CloudScene& parameters) {
   const float w = width / 2, d = depth / 2;
-  const bool closed = !is_open(parameters.kind);
-  shapes.use("floor", shiny({0.55F, 0.52F, 0.48F}, parameters.gloss, 0.3F));
+  const bool closed = parameters.kind && !is_at_infinity(*parameters.kind);
+  shapes.use("floor", {{0.55F, 0.52F, 0.48F}, parameters.gloss->lobe(0.3F)});
   shapes.quad({-w, 0, d}, {w, 0, d}, {w, 0, -d}, {-w, 0, -d});
   if (closed) {
     shapes.use("ceiling", {{0.75F, 0.75F, 0.75F}, {}});
@@ -59,37 +50,17 @@ Placement random_turn(Random& random) {
 }
 
 void add_blocks(ShapeBuilder& shapes, const CloudScene& parameters) {
-  shapes.use("block", shiny({0.55F, 0.55F, 0.55F}, parameters.gloss, 0.35F));
+  shapes.use("block", {{0.55F, 0.55F, 0.55F}, parameters.gloss->lobe(0.35F)});
   for (std::uint32_t i = 0; i < parameters.blocks; ++i) {
     Random random(~parameters.seed, i);
     Placement placement = random_turn(random);
-    const glm::vec3 half(random.between(0.12F, 0.4F), 0, random.between(0.12F, 0.4F));
+    const float half_depth = random.between(0.12F, 0.4F), half_width = random.between(0.12F, 0.4F);
     placement.origin = {random.between(-3.4F, 3.4F), 0, random.between(-3.4F, 3.4F)};
     shapes.place(placement);
-    shapes.standing_box({-half.x, 0, -half.z},
-                        {half.x, random.between(0.2F, tallest_block), half.z});
+    shapes.standing_box({-half_width, 0, -half_depth},
+                        {half_width, random.between(0.2F, tallest_block), half_depth});
   }
   shapes.place({});
-}
-
-/// Uniform over the directions; by rejection, as above.
-glm::vec3 random_direction(Random& random) {
-  for (;;) {
-    const glm::vec3 v(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-    const float squared = v.x * v.x + v.y * v.y + v.z * v.z;
-    if (squared > 0.01F && squared <= 1) return v / std::sqrt(squared);
-  }
-}
-
-/// Mostly downwards: uniform directions and the vertical, added.
-glm::vec3 random_axis(Random& random) {
-  const glm::dvec3 v = glm::dvec3(random_direction(random)) + glm::dvec3(0, -1.05, 0);
-  return glm::vec3(glm::normalize(v));
-}
-
-LightKind kind_of(const CloudScene& parameters, std::uint32_t light) {
-  return parameters.kind == CloudLights::mixed ? LightKind(light % light_kind_count)
-                                               : LightKind(parameters.kind);
 }
 
 void add_lights(const TriangleMesh& room, const CloudScene& parameters, LightSet& lights) {
@@ -102,30 +73,18 @@ void add_lights(const TriangleMesh& room, const CloudScene& parameters, LightSet
   for (std::uint32_t i = 0; i < omni.size(); ++i) {
     const Light& light = omni[i];
     Random random(parameters.seed + 1, i);
-    switch (kind_of(parameters, i)) {
-    case LightKind::omni:
-      lights.add(light);
-      break;
-    case LightKind::oriented:
-      lights.add_oriented(light.position, random_axis(random), light.intensity);
-      break;
-    case LightKind::spot: {
-      const float inner = random.between(0.1F, 0.6F);
-      lights.add_spot(light.position, random_axis(random), light.intensity, inner,
-                      inner + random.between(0.05F, 0.5F));
-      break;
-    }
-    case LightKind::directional: {
-      // From the open side, as bright as from a distance of two metres.
-      const glm::vec3 d = random_direction(random);
-      lights.add_directional(-glm::abs(d), 0.25F * light.intensity);
-      break;
-    }
-    }
+    const LightKind kind = parameters.kind.value_or(LightKind(i % light_kind_count));
+    with_kind_in_scenes(kind, [&](auto described) { described.add(light, random, lights); });
   }
 }
 
 } // namespace
+
+const std::array<Gloss, 5> glosses{{{"diffuse", [](float) -> Lobe { return NoLobe{}; }},
+                                    {"phong", phong},
+                                    {"ward", ward},
+                                    {"ggx", ggx},
+                                    {"glossy", phong}}};
 
 Scene make_cloud(const CloudScene& parameters) {
   Scene scene;

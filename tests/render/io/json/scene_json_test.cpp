@@ -169,7 +169,7 @@ TEST_F(SceneJson, refuses_bad_lights_naming_the_element) {
             "/lights/1" + part);
   };
   light(R"("type": "point")",
-        "/type is 'point', expected 'omni', 'oriented', 'spot' or 'directional'");
+        "/type is 'point', expected one of omni, oriented, spot, directional");
   light(R"("type": 5)", "/type is a number, expected a string");
   light(R"("type": "oriented", "position": [0, 0, 0], "intensity": 1)", "/normal is missing");
   light(R"("type": "oriented", "position": [0, 0, 0], "intensity": 1, "normal": [0, 0, 0])",

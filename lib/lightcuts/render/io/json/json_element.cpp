@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include <lightcuts/render/io/text.h>
 
@@ -44,6 +45,14 @@ std::string JsonElement::string() const {
   return json_->get<std::string>();
 }
 
+std::size_t JsonElement::one_of(std::span<const char* const> names) const {
+  const std::string text = string();
+  const auto found = std::find(names.begin(), names.end(), text);
+  if (found == names.end())
+    refuse(fmt::format("is '{}', expected one of {}", text, fmt::join(names, ", ")));
+  return std::size_t(found - names.begin());
+}
+
 bool JsonElement::boolean() const {
   if (!json_->is_boolean()) refuse_type("true or false");
   return json_->get<bool>();
@@ -72,6 +81,14 @@ glm::vec3 JsonElement::vector(float least) const {
   if (!json_->is_array()) refuse_type("a list of three numbers");
   if (size() != 3) refuse(fmt::format("has {} elements, expected three", size()));
   return {at(0).number(least), at(1).number(least), at(2).number(least)};
+}
+
+glm::vec3 JsonElement::colour() const { return is_number() ? glm::vec3(number(0)) : vector(0); }
+
+glm::vec3 JsonElement::direction() const {
+  const glm::vec3 v = vector();
+  if (v == glm::vec3(0)) refuse("is zero, expected a direction");
+  return glm::vec3(glm::normalize(glm::dvec3(v)));
 }
 
 } // namespace lightcuts

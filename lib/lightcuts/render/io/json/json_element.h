@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <span>
 #include <string>
 
 #include <glm/vec3.hpp>
@@ -43,6 +45,12 @@ public:
   /// A number within float's range that is at least `least`.
   [[nodiscard]] float number(float least = std::numeric_limits<float>::lowest()) const;
   [[nodiscard]] std::uint64_t whole_number(std::uint64_t least, std::uint64_t most) const;
+  /// The index of the text among these.
+  [[nodiscard]] std::size_t one_of(std::span<const char* const> names) const;
+  /// Intensity, irradiance: a number or a list of three, each 0 or more.
+  [[nodiscard]] glm::vec3 colour() const;
+  /// A list of three numbers, made unit; not zero.
+  [[nodiscard]] glm::vec3 direction() const;
   /// A list of three numbers.
   [[nodiscard]] glm::vec3 vector(float least = std::numeric_limits<float>::lowest()) const;
 

@@ -1,73 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/io/json/json_lights.h>
 
-#include <numbers>
 #include <string>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 #include <lightcuts/render/lighting/area_lights.h>
 #include <lightcuts/render/lighting/environment_lights.h>
 #include <lightcuts/render/lighting/light_generator.h>
+#include <lightcuts/render/lighting/light_kinds.h>
 #include <lightcuts/render/lighting/surfels.h>
 #include <lightcuts/render/lighting/virtual_point_lights.h>
 
 namespace lightcuts {
 namespace {
 
-/// Intensity or irradiance.
-glm::vec3 colour_of(const JsonElement& element) {
-  if (element.is_number()) return glm::vec3(element.number(0));
-  return element.vector(0);
-}
-
-glm::vec3 direction_of(const JsonElement& element) {
-  const glm::vec3 v = element.vector();
-  if (v == glm::vec3(0)) element.refuse("is zero, expected a direction");
-  return glm::vec3(glm::normalize(glm::dvec3(v)));
-}
-
-float radians(float degrees) {
-  return static_cast<float>(double(degrees) * std::numbers::pi / 180);
-}
-
-void add_omni(const JsonElement& light, LightSet& lights) {
-  light.expect_keys({"type", "position", "intensity"});
-  lights.add_omni(light["position"].vector(), colour_of(light["intensity"]));
-}
-
-void add_oriented(const JsonElement& light, LightSet& lights) {
-  light.expect_keys({"type", "position", "normal", "intensity"});
-  lights.add_oriented(light["position"].vector(), direction_of(light["normal"]),
-                      colour_of(light["intensity"]));
-}
-
-void add_spot(const JsonElement& light, LightSet& lights) {
-  light.expect_keys({"type", "position", "axis", "intensity", "inner", "outer"});
-  const float outer = light["outer"].number();
-  if (!(outer > 0 && outer <= 180))
-    light["outer"].refuse(
-        fmt::format("is {}, expected more than 0 and at most 180 degrees", outer));
-  const float inner = light.has("inner") ? light["inner"].number(0) : 0;
-  if (!(radians(inner) < radians(outer)))
-    light["inner"].refuse(fmt::format("is {}, expected less than outer, {}", inner, outer));
-  lights.add_spot(light["position"].vector(), direction_of(light["axis"]),
-                  colour_of(light["intensity"]), radians(inner), radians(outer));
-}
-
-void add_directional(const JsonElement& light, LightSet& lights) {
-  light.expect_keys({"type", "direction", "irradiance"});
-  lights.add_directional(direction_of(light["direction"]), colour_of(light["irradiance"]));
-}
-
 void add_single(const JsonElement& light, LightSet& lights) {
-  const std::string type = light.has("type") ? light["type"].string() : "omni";
-  if (type == "omni") return add_omni(light, lights);
-  if (type == "oriented") return add_oriented(light, lights);
-  if (type == "spot") return add_spot(light, lights);
-  if (type == "directional") return add_directional(light, lights);
-  light["type"].refuse(
-      fmt::format("is '{}', expected 'omni', 'oriented', 'spot' or 'directional'", type));
+  const auto kind =
+      light.has("type") ? LightKind(light["type"].one_of(names_of(LightKind()))) : LightKind::omni;
+  with_kind_in_scenes(kind, [&](auto described) { described.read(light, lights); });
 }
 
 std::uint32_t count_of(const JsonElement& element, const char* key, std::uint32_t most) {
@@ -91,7 +41,7 @@ void add_cloud(const JsonElement& element, Scene& scene) {
   LightCloud cloud = default_cloud(scene.mesh, count_of(element, "count", LightCloud::max_count),
                                    seed_of(element));
   if (element.has("box")) set_box(element["box"], cloud);
-  if (element.has("intensity")) cloud.intensity = colour_of(element["intensity"]);
+  if (element.has("intensity")) cloud.intensity = element["intensity"].colour();
   generate(cloud, scene.lights);
 }
 
