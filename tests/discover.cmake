@@ -2,7 +2,7 @@
 # Writes SCRIPT, which tells ctest of one test for each source file of the GoogleTest program
 # PROGRAM, named after it: core/tree/light_tree runs all of tests/core/tree/light_tree_test.cpp in
 # one process. TESTS: the folder tests; PROPERTIES: of each, as set_tests_properties() takes them;
-# LONG: regular expression of those that take long; they start first, so that no core waits for them.
+# LONG: regular expression of those that take long and start first, so that no core waits for them.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests --gtest_output=json:${SCRIPT}.json
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(STRINGS ${SCRIPT}.json lines REGEX "^ *\"(name|file)\":")
