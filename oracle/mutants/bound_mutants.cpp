@@ -249,7 +249,8 @@ struct SignedSpecular : LibraryKernel {
 
 double emission_bound(LightKind kind, const ClusterEmission& e, const glm::vec3& from,
                       const Box& box) {
-  return visit_kind(kind, [&]<class Kind>(Kind) { return Kind::max_emission(e, from, box); });
+  return visit_kind(
+      kind, [&]<class Kind>(Kind) { return Kind::max_emission(e, DifferenceBox(from, box)); });
 }
 
 double radians(const Angle& angle) { return std::atan2(angle.sin, angle.cos); }

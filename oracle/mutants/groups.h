@@ -53,15 +53,6 @@ struct AnySuprema {
                                             const glm::vec3& from) const;
 };
 
-/// What one_kind() makes of the clusters of one kind, added and rounded up.
-template <class OneKind>
-glm::vec3 bound_over_kinds(const LightTree& tree, std::uint32_t node, const OneKind& one_kind) {
-  if (!tree.node(node).is_mixed()) return one_kind(node);
-  const glm::dvec3 sum =
-      over_kinds(tree, node, [&](std::uint32_t i) { return glm::dvec3(one_kind(i)); });
-  return {round_up(sum.x), round_up(sum.y), round_up(sum.z)};
-}
-
 /// The library's bound by other suprema.
 [[nodiscard]] glm::vec3 bound_by(const AnySuprema& suprema, const LightTree& tree,
                                  std::uint32_t node, const ShadingPoint& point);

@@ -66,8 +66,9 @@ struct ConeOneInAMillion : Library {
                       const glm::vec3& from) const override {
     ClusterEmission e = tree.emission(i);
     e.cone.chord2 *= 1 - 2e-6F; // the square
-    return visit_kind(
-        kind, [&]<class Kind>(Kind) { return Kind::max_emission(e, from, tree.node(i).box); });
+    return visit_kind(kind, [&]<class Kind>(Kind) {
+      return Kind::max_emission(e, DifferenceBox(from, tree.node(i).box));
+    });
   }
 };
 

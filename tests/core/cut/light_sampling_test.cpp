@@ -171,9 +171,8 @@ TYPED_TEST(LightSampling, DrawsTheLightOfALeaf) {
 struct RootShare {
   double first;
 
-  template <class OneLobe>
   [[nodiscard]] ChildShares shares(const LightTree& /*tree*/, std::uint32_t node,
-                                   const ShadingPoint& /*point*/, const OneLobe& /*lobe*/) const {
+                                   const ShadingPoint& /*point*/) const {
     return node == 0 ? ChildShares{first, 1 - first} : ChildShares{1, 0};
   }
 };

@@ -165,8 +165,8 @@ TEST(Renderer, ConvergesToTheReferenceByTheMeanOverSeeds) {
       brightness2 += d * d / n;
     }
     // Of 777 pixels: the mean square has a deviation of about sqrt(2 / 777), half of it the root.
-    EXPECT_NEAR(rmse(sum, reference.radiance) * std::sqrt(n / of_one), 1, 0.15) << name_of(method);
-    EXPECT_LE(std::abs(brightness), 5 * std::sqrt(brightness2 / n)) << name_of(method);
+    EXPECT_NEAR(rmse(sum, reference.radiance) * std::sqrt(n / of_one), 1, 0.15) << method->name;
+    EXPECT_LE(std::abs(brightness), 5 * std::sqrt(brightness2 / n)) << method->name;
   }
 }
 
@@ -303,8 +303,8 @@ TEST(Renderer, MeasuresTime) {
 
 TEST(Method, HasANameThatFindsIt) {
   for (const Method m : all_methods) {
-    EXPECT_NE(std::string_view(name_of(m)), "");
-    EXPECT_EQ(method_named(name_of(m)), m);
+    EXPECT_NE(std::string_view(m->name), "");
+    EXPECT_EQ(method_named(m->name), m);
   }
   EXPECT_EQ(method_named("stochastic"), methods::stochastic);
   EXPECT_EQ(method_named("stochastic-intensity"), methods::stochastic_intensity);

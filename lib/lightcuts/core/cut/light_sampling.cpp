@@ -34,8 +34,7 @@ ChildShares HierarchicalImportance::shares(const LightTree& tree, std::uint32_t 
   if (tree.node(node).is_mixed()) [[unlikely]]
     return shares_of(mixed_weight(tree, first, point), mixed_weight(tree, first + 1, point));
   const double w0 = weight(tree, first, point), w1 = weight(tree, first + 1, point);
-  if (w0 == 0 || w1 == 0 || is_at_infinity(tree.node(node).kind()))
-    return shares_of(w0, w1);
+  if (w0 == 0 || w1 == 0 || is_at_infinity(tree.node(node).kind())) return shares_of(w0, w1);
   const Box &box0 = tree.node(first).box, &box1 = tree.node(first + 1).box;
   const double d0 = min_distance2(point.position(), box0);
   const double d1 = min_distance2(point.position(), box1);

@@ -7,10 +7,9 @@
 #include <limits>
 
 #include <glm/vec3.hpp>
-#include <lightcuts/core/geometry/box.h>
 #include <lightcuts/core/geometry/certified_root.h>
+#include <lightcuts/core/geometry/difference_box.h>
 #include <lightcuts/core/numerics/angle.h>
-#include <lightcuts/core/numerics/exact_dot.h>
 
 namespace lightcuts {
 
@@ -47,10 +46,11 @@ struct PathSegment {
 };
 
 inline PathSegment segment_at(const std::array<PathCoordinate, 3>& path, double s,
-                              const glm::vec3& n, const glm::vec3& x, const Box& box) {
+                              const glm::vec3& n, const DifferenceBox& box) {
   PathSegment segment;
   double scale = 0;
-  glm::vec3 resting_n(0), corner(x);
+  glm::vec3 resting_n(0);
+  int corner = 0;
   for (int i = 0; i < 3; ++i) {
     const auto& p = path[i];
     if (p.enter <= s && s < p.leave) {
@@ -63,10 +63,10 @@ inline PathSegment segment_at(const std::array<PathCoordinate, 3>& path, double 
     segment.c += q * q;
     scale += p.n * std::abs(q);
     resting_n[i] = n[i];
-    corner[i] = at_low == (n[i] > 0) ? box.lo[i] : box.hi[i];
+    if (at_low != (n[i] > 0)) corner |= 1 << i;
   }
   if (std::abs(segment.a) < 0x1p-16 * scale) [[unlikely]]
-    segment.a = exact_dot(resting_n, x, corner);
+    segment.a = box.exact_dot_at(corner, resting_n);
   return segment;
 }
 
@@ -77,30 +77,27 @@ struct PathRoot {
   double s = 0;
 };
 
-/// Whether n.q > 0 for some y of the box, q = y - x.
-[[nodiscard]] inline bool reaches_front(const glm::vec3& n, const glm::vec3& x, const Box& box) {
-  glm::vec3 top;
-  for (int i = 0; i < 3; ++i) top[i] = n[i] > 0 ? box.hi[i] : box.lo[i];
-  return dot_between(n, x, top) > 0;
+/// Whether n.q > 0 for some q of the box.
+[[nodiscard]] inline bool reaches_front(const glm::vec3& n, const DifferenceBox& q) {
+  return q.dot_at(DifferenceBox::farthest_along(n), n) > 0;
 }
 
-/// Where n.q / |q|^K, K = 1 or 3, q = y - x, is largest over a box with some n.q > 0; n needs no
+/// Where n.q / |q|^K, K = 1 or 3, is largest over a box with some n.q > 0; n needs no
 /// length.
 ///
 /// {q : n.q >= g |q|^K} is convex for g > 0, so the objective is quasi-concave where it is
 /// positive, and its stationarity conditions over a box are q = clamp(s n, lo, hi) with
 ///   K s n.q = |q|^2 .
 /// K n.q(s) - |q(s)|^2 / s increases with s, so there is one root; it is found segment by segment
-/// of the piecewise linear path. A segment with c = 0 means that the path starts at x, in the box:
+/// of the piecewise linear path. A segment with c = 0 means that the path starts at 0, in the box:
 /// its root is s = 0.
 template <int K>
-[[nodiscard]] PathRoot stationary_point(const glm::vec3& n, const glm::vec3& x, const Box& box) {
+[[nodiscard]] PathRoot stationary_point(const glm::vec3& n, const DifferenceBox& box) {
   static_assert(K == 1 || K == 3);
   PathRoot root;
-  for (int i = 0; i < 3; ++i)
-    root.path[i] = PathCoordinate::make(n[i], double(box.lo[i]) - x[i], double(box.hi[i]) - x[i]);
+  for (int i = 0; i < 3; ++i) root.path[i] = PathCoordinate::make(n[i], box.lo[i], box.hi[i]);
   for (;;) {
-    const PathSegment& g = root.segment = segment_at(root.path, root.s, n, x, box);
+    const PathSegment& g = root.segment = segment_at(root.path, root.s, n, box);
     if (g.c == 0) return root;
     double end = std::numeric_limits<double>::infinity();
     for (const auto& p : root.path) {
@@ -125,11 +122,11 @@ template <int K>
 
 /// sup over the box of max(0, n.q) / |q|^K. n.q at the root is taken as |q|^2 / (K s), which cannot
 /// cancel. 0 if and only if n.q <= 0 all over the box; +inf if and only if the supremum is (K = 3,
-/// x in the box, and some q with n.q > 0).
+/// 0 in the box, and some q with n.q > 0).
 template <int K>
-[[nodiscard]] double sup_dot_over_power(const glm::vec3& n, const glm::vec3& x, const Box& box) {
-  if (!reaches_front(n, x, box)) return 0;
-  const PathRoot root = stationary_point<K>(n, x, box);
+[[nodiscard]] double sup_dot_over_power(const glm::vec3& n, const DifferenceBox& box) {
+  if (!reaches_front(n, box)) return 0;
+  const PathRoot root = stationary_point<K>(n, box);
   const PathSegment& g = root.segment;
   if (g.c == 0) {
     if constexpr (K == 1) return std::sqrt(g.b);
@@ -141,22 +138,15 @@ template <int K>
     return 1 / (3 * root.s * std::sqrt(g.c + root.s * g.b * root.s));
 }
 
-/// sup_dot_over_power<3>(), out of the way of what is quicker; n and x can stay in registers there.
-[[gnu::noinline, gnu::cold]] inline double walked_sup(glm::vec3 n, glm::vec3 x, const Box& box) {
-  return sup_dot_over_power<3>(n, x, box);
-}
-
-/// max_cosine_over_distance2(), to be inlined where many boxes are seen from one point.
-[[nodiscard, gnu::always_inline]] inline double joint_sup(const glm::vec3& n, const glm::vec3& x,
-                                                          const Box& box) {
-  const double sup = box.lo == box.hi ? certified_value(n, x, box.lo) : certified_sup(n, x, box);
-  return sup != undecided ? sup : walked_sup(n, x, box);
+/// sup_dot_over_power<3>(), out of the way of what is quicker; n can stay in registers there.
+[[gnu::noinline, gnu::cold]] inline double walked_sup(glm::vec3 n, const DifferenceBox& box) {
+  return sup_dot_over_power<3>(n, box);
 }
 
 /// The q with the largest n.q/|q| over a box with some n.q > 0; where that is approached at q = 0
 /// only, a direction.
-inline glm::dvec3 nearest_in_front(const glm::vec3& n, const glm::vec3& x, const Box& box) {
-  const PathRoot root = stationary_point<1>(n, x, box);
+inline glm::dvec3 nearest_in_front(const glm::vec3& n, const DifferenceBox& box) {
+  const PathRoot root = stationary_point<1>(n, box);
   glm::dvec3 q;
   for (int i = 0; i < 3; ++i) {
     const PathCoordinate& p = root.path[i];
@@ -170,56 +160,47 @@ inline glm::dvec3 nearest_in_front(const glm::vec3& n, const glm::vec3& x, const
   return q;
 }
 
-/// q = y - x for the corner whose bits say hi.
-inline glm::dvec3 corner(const Box& box, int bits, const glm::vec3& x) {
-  glm::dvec3 q;
-  for (int i = 0; i < 3; ++i) q[i] = double((bits >> i & 1) != 0 ? box.hi[i] : box.lo[i]) - x[i];
-  return q;
-}
-
 } // namespace detail
 
-/// sup of max(0, n.q)/|q| over the box: |n| times the largest cosine. If x lies in the box, over
+/// sup of max(0, n.q)/|q| over the box: |n| times the largest cosine. If 0 lies in the box, over
 /// q != 0.
-[[nodiscard]] inline double max_cosine(const glm::vec3& n, const glm::vec3& x, const Box& box) {
-  return detail::sup_dot_over_power<1>(n, x, box);
+[[nodiscard]] inline double max_cosine(const glm::vec3& n, const DifferenceBox& q) {
+  return detail::sup_dot_over_power<1>(n, q);
 }
 
 /// sup of max(0, n.q)/|q|^3 over the box: |n| times Lambert's cosine and the geometric term 1/|q|^2
-/// in one, tighter than the product of their suprema. Not inlined: the kernels of all features and
-/// lobes share it.
-[[nodiscard, gnu::noinline]] inline double
-max_cosine_over_distance2(const glm::vec3& n, const glm::vec3& x, const Box& box) {
-  return detail::joint_sup(n, x, box);
+/// in one, tighter than the product of their suprema.
+[[nodiscard, gnu::always_inline]] inline double max_cosine_over_distance2(const glm::vec3& n,
+                                                                          const DifferenceBox& q) {
+  const double sup = q.is_point() ? detail::certified_value(n, q) : detail::certified_sup(n, q);
+  return sup != detail::undecided ? sup : detail::walked_sup(n, q);
 }
 
-/// The smallest angle between n and q = y - x, y in the box, q != 0; within angle_error.
-/// Where some n.q > 0 see stationary_point(). Else -n.q/|q| is quasi-concave, and least at a
-/// corner.
-[[nodiscard]] inline Angle min_angle(const glm::vec3& n, const glm::vec3& x, const Box& box) {
-  if (detail::reaches_front(n, x, box))
-    return angle_between(n, detail::nearest_in_front(n, x, box));
+/// The smallest angle between n and q != 0; within angle_error. Where some n.q > 0 see
+/// stationary_point(). Else -n.q/|q| is quasi-concave, and least at a corner.
+[[nodiscard]] inline Angle min_angle(const glm::vec3& n, const DifferenceBox& box) {
+  if (detail::reaches_front(n, box)) return angle_between(n, detail::nearest_in_front(n, box));
   Angle best{-2, 0};
   for (int bits = 0; bits < 8; ++bits) {
-    const glm::dvec3 q = detail::corner(box, bits, x);
+    const glm::dvec3 q = box.corner(bits);
     if (q == glm::dvec3(0)) continue;
     const Angle angle = angle_between(n, q);
     if (angle.cos > best.cos) best = angle;
   }
-  return best.cos < -1 ? Angle{} : best; // the box is x alone
+  return best.cos < -1 ? Angle{} : best; // the box is 0 alone
 }
 
 /// min of max(0, n.q)/|q| falloff(|q|^2) over the box, relative error box_bound_error: at a corner,
 /// for a falloff that makes this quasi-concave where it is positive: 1, 1/|q|^2, and the smaller of
 /// such. 0 if some q has n.q <= 0, or is 0. Below 10^-150 its square may underflow.
 template <class Falloff>
-[[nodiscard]] double min_cosine_times(const glm::vec3& n, const glm::vec3& x, const Box& box,
+[[nodiscard]] double min_cosine_times(const glm::vec3& n, const DifferenceBox& box,
                                       Falloff&& falloff) {
   double dots[3][2], squares[3][2];
   double scale = 0;
   for (int i = 0; i < 3; ++i)
     for (int high = 0; high < 2; ++high) {
-      const double q = double(high ? box.hi[i] : box.lo[i]) - x[i];
+      const double q = high ? box.hi[i] : box.lo[i];
       dots[i][high] = n[i] * q;
       squares[i][high] = q * q;
       scale = std::max(scale, std::abs(dots[i][high]));
@@ -229,8 +210,7 @@ template <class Falloff>
     const int a = bits & 1, b = bits >> 1 & 1, c = bits >> 2;
     double n_dot_q = dots[0][a] + dots[1][b] + dots[2][c];
     if (std::abs(n_dot_q) < 0x1p-14 * scale) [[unlikely]] // a sum that may have lost its digits
-      n_dot_q = dot_between(
-          n, x, {a ? box.hi.x : box.lo.x, b ? box.hi.y : box.lo.y, c ? box.hi.z : box.lo.z});
+      n_dot_q = box.dot_at(bits, n);
     if (n_dot_q <= 0) return 0;
     const double length2 = squares[0][a] + squares[1][b] + squares[2][c];
     const double unrooted = n_dot_q * falloff(length2);
@@ -239,14 +219,25 @@ template <class Falloff>
   return std::sqrt(least_squared);
 }
 
-/// min |q|^2 over the box, 0 if and only if x lies in it; relative error 2^-50.
+// Of a box seen from a point x, q = y - x.
+
+[[nodiscard]] inline double max_cosine(const glm::vec3& n, const glm::vec3& x, const Box& box) {
+  return max_cosine(n, DifferenceBox(x, box));
+}
+[[nodiscard, gnu::always_inline]] inline double
+max_cosine_over_distance2(const glm::vec3& n, const glm::vec3& x, const Box& box) {
+  return max_cosine_over_distance2(n, DifferenceBox(x, box));
+}
+[[nodiscard]] inline Angle min_angle(const glm::vec3& n, const glm::vec3& x, const Box& box) {
+  return min_angle(n, DifferenceBox(x, box));
+}
+template <class Falloff>
+[[nodiscard]] double min_cosine_times(const glm::vec3& n, const glm::vec3& x, const Box& box,
+                                      Falloff&& falloff) {
+  return min_cosine_times(n, DifferenceBox(x, box), falloff);
+}
 [[nodiscard]] inline double min_distance2(const glm::vec3& x, const Box& box) {
-  double sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double q = std::max({double(box.lo[i]) - x[i], x[i] - double(box.hi[i]), 0.0});
-    sum += q * q;
-  }
-  return sum;
+  return min_length2(DifferenceBox(x, box));
 }
 
 } // namespace lightcuts

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <glm/vec3.hpp>
-#include <lightcuts/core/geometry/box.h>
+#include <lightcuts/core/geometry/difference_box.h>
 
 namespace lightcuts::detail {
 
@@ -20,15 +20,15 @@ inline constexpr double undecided = -1;
 ///
 /// n.q/|q|^3 is largest at the root of h(s) = 3 s n.q - |q|^2, if some n.q > 0; see
 /// stationary_point(). Here it is guessed, nearly always rightly at once, and the guess certified.
-/// With n, x and the box in floats nothing over- or underflows.
+/// With n and both ends of q in floats nothing over- or underflows.
 struct ScaledPath {
   using Vector = std::array<double, 3>;
   Vector w, enter, leave;
   double rest2 = 0;
 
-  [[gnu::always_inline]] ScaledPath(const glm::vec3& n, const glm::vec3& x, const Box& box) {
+  [[gnu::always_inline]] ScaledPath(const glm::vec3& n, const DifferenceBox& q) {
     for (int i = 0; i < 3; ++i) {
-      const double lo = double(box.lo[i]) - x[i], hi = double(box.hi[i]) - x[i];
+      const double lo = q.lo[i], hi = q.hi[i];
       w[i] = double(n[i]) * n[i];
       if (n[i] != 0) {
         const double inverse = 1 / double(n[i]);
@@ -78,9 +78,9 @@ struct ScaledPath {
 /// and changes at most as s^2, within 2^-33 of it, and a few roundings. h itself: c_i errs by three
 /// roundings of 2^-53, and a term of h by at most twice that and six more: together by less than
 /// 2^-49 of the terms' magnitudes, which in turn are known that well. With x in the box s = 0.
-[[gnu::always_inline]] [[nodiscard]] inline double
-certified_sup(const glm::vec3& n, const glm::vec3& x, const Box& box) {
-  const ScaledPath path(n, x, box);
+[[gnu::always_inline]] [[nodiscard]] inline double certified_sup(const glm::vec3& n,
+                                                                 const DifferenceBox& q) {
+  const ScaledPath path(n, q);
   double front = 0, front_magnitude = 0, end2 = path.rest2;
   for (int i = 0; i < 3; ++i) {
     const double n_q = path.w[i] * path.leave[i];
@@ -111,13 +111,13 @@ certified_sup(const glm::vec3& n, const glm::vec3& x, const Box& box) {
   return undecided;
 }
 
-/// The same of a box that is the point y alone: the positive part of n.q/|q|^3. n.q errs by
+/// sup of max(0, n.q)/|q|^3 over a box that is one point, or `undecided`. n.q errs by
 /// four roundings of 2^-53, amplified at most 2^16 times, and the rest by less than 2^-49.
-[[gnu::always_inline]] [[nodiscard]] inline double
-certified_value(const glm::vec3& n, const glm::vec3& x, const glm::vec3& y) {
+[[gnu::always_inline]] [[nodiscard]] inline double certified_value(const glm::vec3& n,
+                                                                   const DifferenceBox& box) {
   double n_dot_q = 0, magnitude = 0, length2 = 0;
   for (int i = 0; i < 3; ++i) {
-    const double q = double(y[i]) - x[i];
+    const double q = box.lo[i];
     n_dot_q += n[i] * q;
     magnitude += std::abs(n[i] * q);
     length2 += q * q;

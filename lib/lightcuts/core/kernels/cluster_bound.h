@@ -96,7 +96,7 @@ struct LobeAtItsPeak {
     constexpr float most = std::numeric_limits<float>::max();
     const Box everywhere{glm::vec3(-most), glm::vec3(most)};
     return lobe.bound(
-        {sight.frame, sight.from, everywhere, sight.max_cosine_falloff, sight.max_falloff});
+        BoxSight{sight.frame, sight.from, everywhere, sight.max_cosine_falloff, sight.max_falloff});
   }
 };
 
@@ -116,7 +116,7 @@ template <class Kind>
                      point.inverse_normal_length() * deflate;
   if constexpr (has_axis(Kind::kind))
     if (geometric > 0)
-      geometric *= Kind::min_emission(tree.emission(i), from, cluster.box) * deflate;
+      geometric *= Kind::min_emission(tree.emission(i), DifferenceBox(from, cluster.box)) * deflate;
   return geometric == 0 ? glm::dvec3(0)
                         : glm::dvec3(point.material().diffuse) * std::numbers::inv_pi *
                               cluster.intensity * geometric;

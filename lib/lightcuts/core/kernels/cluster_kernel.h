@@ -63,7 +63,8 @@ enum class EstimateRule : std::uint8_t {
   unscaled        ///< the representative's alone
 };
 inline constexpr int estimate_rule_count = 3;
-[[nodiscard]] constexpr std::array<const char*, estimate_rule_count> names_of(EstimateRule /*any*/) {
+[[nodiscard]] constexpr std::array<const char*, estimate_rule_count>
+names_of(EstimateRule /*any*/) {
   return {"centroid", "representative", "unscaled"};
 }
 

@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include <lightcuts/core/kernels/block_bound.h>
 #include <lightcuts/core/kernels/cluster_bound.h>
 #include <lightcuts/core/kernels/cluster_estimate.h>
 #include <lightcuts/core/kernels/kind_kernel.h>
@@ -48,6 +49,12 @@ struct KindFunctions {
   static glm::dvec3 estimate(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
     return with_lobe(
         point, [&](const auto& lobe) { return centroid_estimate<Kind>(tree, node, point, lobe); });
+  }
+
+  static glm::vec3 bound_of_block(const LightTree& tree, std::uint32_t node,
+                                  const ShadingBlock& block) {
+    return std::visit([&](const auto& lobe) { return block_bound<Kind>(tree, node, block, lobe); },
+                      block.material().lobe);
   }
 
   /// All calls in one piece.
@@ -97,6 +104,7 @@ const KindKernel& CompiledForKind<Kind>::kernel() {
                                   F::estimate,
                                   F::cosine_bound,
                                   cluster_lower_bound<Kind>,
+                                  F::bound_of_block,
                                   F::evaluate,
                                   F::all_bounds,
                                   F::transfers};

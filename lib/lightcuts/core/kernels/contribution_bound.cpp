@@ -39,13 +39,15 @@ glm::dvec3 transfer(const ShadingPoint& point, const Light& light, float min_dis
 
 glm::vec3 contribution_bound(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,
                              BoundRule rule) {
-  const TreeNode& cluster = tree.node(node);
-  if (!cluster.is_mixed()) [[likely]]
-    return kernel_of(cluster).bound[int(rule)](tree, node, point);
-  const glm::dvec3 bound = over_kinds(tree, node, [&](std::uint32_t i) {
-    return glm::dvec3(kernel_of(tree.node(i)).bound[int(rule)](tree, i, point));
+  return bound_over_kinds(tree, node, [&](std::uint32_t i) {
+    return kernel_of(tree.node(i)).bound[int(rule)](tree, i, point);
   });
-  return {round_up(bound.x), round_up(bound.y), round_up(bound.z)}; // of a sum
+}
+
+glm::vec3 contribution_bound(const LightTree& tree, std::uint32_t node, const ShadingBlock& block) {
+  return bound_over_kinds(tree, node, [&](std::uint32_t i) {
+    return kernel_of(tree.node(i)).block_bound(tree, i, block);
+  });
 }
 
 void contribution_bounds(const LightTree& tree, const ShadingPoint& point,

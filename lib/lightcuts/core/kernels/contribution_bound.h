@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <lightcuts/core/kernels/cluster_bound.h>
 #include <lightcuts/core/kernels/cluster_kernel.h>
+#include <lightcuts/core/lobes/shading_block.h>
 #include <lightcuts/core/lobes/shading_point.h>
 #include <lightcuts/core/tree/light_tree.h>
 
@@ -26,6 +27,11 @@ namespace lightcuts {
 /// checks, several times as fast. bounds: one per node.
 void contribution_bounds(const LightTree& tree, const ShadingPoint& point,
                          std::span<glm::vec3> bounds);
+
+/// contribution_bound() for a block of shading points: at least that of each of them. As tight as
+/// the joint one where the block is a point, looser with its extent and its cone of normals.
+[[nodiscard]] glm::vec3 contribution_bound(const LightTree& tree, std::uint32_t node,
+                                           const ShadingBlock& block);
 
 /// contribution_bound() without the distance: intensity material n.l emission over the box. Of a
 /// cluster that is not mixed.

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <lightcuts/core/kernels/cluster_kernel.h>
 #include <lightcuts/core/lights/light.h>
+#include <lightcuts/core/lobes/shading_block.h>
 #include <lightcuts/core/tree/light_tree.h>
 
 namespace lightcuts {
@@ -22,6 +23,7 @@ struct KindKernel {
   /// Upper bound of intensity material n.l emission alone, whatever the distance.
   Bound* cosine_bound;
   Estimate* lower_bound; ///< not rounded down to float yet
+  glm::vec3 (*block_bound)(const LightTree&, std::uint32_t node, const ShadingBlock&);
   /// ClusterKernel::evaluate() by the default rules.
   void (*evaluate)(const LightTree&, const ShadingPoint&, std::span<CutCluster>);
   /// Joint bounds of nodes 0, 1, ...

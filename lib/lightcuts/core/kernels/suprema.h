@@ -17,30 +17,35 @@ template <class Kind>
 struct JointSuprema {
   static constexpr LightKind kind_of(const TreeNode& /*cluster*/) { return Kind::kind; }
 
-  /// Of n.l falloff, n about unit, times the length of n.
-  static double max_cosine_falloff(LightKind /*kind*/, const glm::vec3& n, const glm::vec3& from,
-                                   const Box& box, double min_distance2) {
-    if (is_at_infinity(Kind::kind)) return max_cosine(n, from, box);
-    const double joint = max_cosine_over_distance2(n, from, box);
+  /// Of n.l falloff over q, n about unit, times the length of n.
+  static double max_cosine_falloff(const glm::vec3& n, const DifferenceBox& q,
+                                   double min_distance2) {
+    if (is_at_infinity(Kind::kind)) return max_cosine(n, q);
+    const double joint = max_cosine_over_distance2(n, q);
     // The clamped one is the smaller of two, and so is its supremum at most: the first of them
     // where no distance is clamped.
-    if (min_distance2 > 0 && joint > 0 && lightcuts::min_distance2(from, box) < min_distance2)
-        [[unlikely]]
-      return std::min(joint, max_cosine(n, from, box) / min_distance2);
+    if (min_distance2 > 0 && joint > 0 && min_length2(q) < min_distance2) [[unlikely]]
+      return std::min(joint, max_cosine(n, q) / min_distance2);
     return joint;
+  }
+  static double max_cosine_falloff(LightKind /*kind*/, const glm::vec3& n, const glm::vec3& from,
+                                   const Box& box, double min_distance2) {
+    return max_cosine_falloff(n, DifferenceBox(from, box), min_distance2);
   }
 
   /// Of the falloff alone.
+  static double max_falloff(const DifferenceBox& q, double min_distance2) {
+    return is_at_infinity(Kind::kind) ? 1 : 1 / std::max(min_length2(q), min_distance2);
+  }
   static double max_falloff(LightKind /*kind*/, const glm::vec3& from, const Box& box,
                             double min_distance2) {
-    if (is_at_infinity(Kind::kind)) return 1;
-    return 1 / std::max(lightcuts::min_distance2(from, box), min_distance2);
+    return max_falloff(DifferenceBox(from, box), min_distance2);
   }
 
   /// Of emission() of the lights of node i.
   static double max_emission(const LightTree& tree, std::uint32_t i, LightKind /*kind*/,
                              const glm::vec3& from) {
-    return Kind::max_emission(tree.emission(i), from, tree.node(i).box);
+    return Kind::max_emission(tree.emission(i), DifferenceBox(from, tree.node(i).box));
   }
 };
 

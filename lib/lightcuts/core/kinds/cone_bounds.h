@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <glm/vec3.hpp>
-#include <lightcuts/core/geometry/box.h>
 #include <lightcuts/core/geometry/box_bounds.h>
 #include <lightcuts/core/numerics/angle.h>
 #include <lightcuts/core/tree/cluster_emission.h>
@@ -13,18 +11,16 @@ namespace lightcuts::detail {
 // than 2^-24.
 inline constexpr double emission_slack = 8 * angle_error;
 
-/// Cosine of the least angle between any axis of the cluster and the direction towards x from any
-/// place in the box. With psi the least angle between the cone's axis and x - y, y in the box, and
-/// beta the cone's half-angle, it is at least psi - beta.
-[[nodiscard]] inline double max_axis_cosine(const ClusterEmission& e, const glm::vec3& x,
-                                            const Box& box) {
-  return difference(min_angle(-e.cone.axis, x, box), e.cone.half_angle()).cos;
+/// Cosine of the least angle between any axis of the cluster and -q, the way back to what is lit.
+/// With psi the least angle between the cone's axis and -q, and beta the cone's half-angle, it is
+/// at least psi - beta.
+[[nodiscard]] inline double max_axis_cosine(const ClusterEmission& e, const DifferenceBox& q) {
+  return difference(min_angle(-e.cone.axis, q), e.cone.half_angle()).cos;
 }
 
 /// Cosine of the largest such angle, psi + beta.
-[[nodiscard]] inline double min_axis_cosine(const ClusterEmission& e, const glm::vec3& x,
-                                            const Box& box) {
-  return sum(supplement(min_angle(e.cone.axis, x, box)), e.cone.half_angle()).cos;
+[[nodiscard]] inline double min_axis_cosine(const ClusterEmission& e, const DifferenceBox& q) {
+  return sum(supplement(min_angle(e.cone.axis, q)), e.cone.half_angle()).cos;
 }
 
 } // namespace lightcuts::detail

@@ -17,8 +17,8 @@ namespace lightcuts {
 ///   kind                     its LightKind
 ///   emission(light, x)       the share of its intensity that a light sends towards x, in [0, 1],
 ///                            relative error emission_error; 0 from a light with an axis at x
-///   max_emission, min_emission(e, x, box)  bounds of that over a cluster whose positions are in
-///                            the box, rounding included
+///   max_emission, min_emission(e, q)  bounds of that over a cluster as seen along q, rounding
+///                            included
 ///   mean_emission(e, representative, centroid, x)  its mean over the cluster, a guess
 ///   second_moment_factor     what the spread of the cluster's positions adds to an estimate
 using LightKindList = std::tuple<Omni, Oriented, Spot, Directional>;

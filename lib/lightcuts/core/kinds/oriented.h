@@ -21,14 +21,14 @@ struct Oriented {
     return std::clamp(detail::axis_cosine(light, x).cosine, 0.0, 1.0);
   }
 
-  static double max_emission(const ClusterEmission& e, const glm::vec3& x, const Box& box) {
+  static double max_emission(const ClusterEmission& e, const DifferenceBox& q) {
     constexpr double least_cosine = 0x1p-20;
-    const double cosine = detail::max_axis_cosine(e, x, box);
+    const double cosine = detail::max_axis_cosine(e, q);
     if (cosine < -0x1p-40) return 0;
     return std::clamp(cosine + detail::emission_slack, least_cosine, 1.0);
   }
-  static double min_emission(const ClusterEmission& e, const glm::vec3& x, const Box& box) {
-    return std::max(0.0, detail::min_axis_cosine(e, x, box) - detail::emission_slack);
+  static double min_emission(const ClusterEmission& e, const DifferenceBox& q) {
+    return std::max(0.0, detail::min_axis_cosine(e, q) - detail::emission_slack);
   }
 
   /// Mean of emission() over a cluster as if all were at the centroid: exact to first order where

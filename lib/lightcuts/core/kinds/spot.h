@@ -30,17 +30,14 @@ struct Spot {
 
   /// emission() falls with the angle to the axis, and falls the less the smaller cos_inner and
   /// cos_outer are. A cluster that ends at the rim within 2^-40 may count as shining.
-  static double max_emission(const ClusterEmission& e, const glm::vec3& x, const Box& box) {
+  static double max_emission(const ClusterEmission& e, const DifferenceBox& q) {
     constexpr double least_ramp = 0x1p-10;
-    const double cosine = detail::max_axis_cosine(e, x, box);
+    const double cosine = detail::max_axis_cosine(e, q);
     if (cosine + 0x1p-40 < e.cos_outer) return 0;
     return std::max(ramp2(e, std::max(cosine + detail::emission_slack, double(e.cos_outer))),
                     least_ramp * least_ramp);
   }
-  static double min_emission(const ClusterEmission& /*e*/, const glm::vec3& /*x*/,
-                             const Box& /*box*/) {
-    return 0;
-  }
+  static double min_emission(const ClusterEmission& /*e*/, const DifferenceBox& /*q*/) { return 0; }
 
   /// A mean of spots says little of any; they shine as their representative does.
   static double mean_emission(const ClusterEmission& /*e*/, const Light& representative,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <lightcuts/core/records/fields.h>
 #include <lightcuts/core/shading/box_sight.h>
@@ -47,20 +48,27 @@ struct CookTorrance {
 
   /// D falls with T, F with v.h, V with n.l, while n.l V rises: so f n.l falloff is at most
   ///   D F min(V(least n.l) max(n.l falloff), V(1 or less) n.l max(falloff)) .
+  template <class BoxSight>
   [[nodiscard]] glm::dvec3 bound(const BoxSight& box) const {
-    const double viewer = box.frame.viewer_cosine();
+    const double viewer = box.least_viewer_cosine();
     if (viewer <= 0) return glm::dvec3(0);
     const double most = box.max_cosine_quickly(), between = box.min_between_cosine_quickly();
     const double shadowed =
         std::min(visibility(box.min_cosine_quickly(), viewer) * box.max_cosine_falloff,
                  most * visibility(most, viewer) * box.max_falloff);
     const double lobe = distribution(box.min_half_tangent2(most, between)) * shadowed;
-    const glm::dvec3 f = fresnel(BoxSight::max_schlick(between));
+    const glm::dvec3 f = fresnel(max_schlick(between));
     glm::dvec3 result;
     for (int c = 0; c < 3; ++c) result[c] = f[c] * std::max(lobe, 0x1p-700);
     return result;
   }
 
+  /// Takes over the larger reflectance; whether the shapes are the same, without which it does not.
+  bool cover(const CookTorrance& other) {
+    if (alpha != other.alpha) return false;
+    f0 = glm::max(f0, other.f0);
+    return true;
+  }
   bool operator==(const CookTorrance&) const = default;
 
   [[nodiscard]] double distribution(double tangent2) const {

@@ -18,7 +18,11 @@ struct NoLobe {
 
   void validate() const {}
   [[nodiscard]] glm::dvec3 evaluate(const Sight& /*sight*/) const { return glm::dvec3(0); }
-  [[nodiscard]] glm::dvec3 bound(const BoxSight& /*box*/) const { return glm::dvec3(0); }
+  template <class BoxSight>
+  [[nodiscard]] glm::dvec3 bound(const BoxSight& /*box*/) const {
+    return glm::dvec3(0);
+  }
+  bool cover(const NoLobe& /*other*/) { return true; }
   bool operator==(const NoLobe&) const = default;
 };
 

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <lightcuts/core/numerics/rounding.h>
 #include <lightcuts/core/records/fields.h>
@@ -38,6 +39,7 @@ struct Phong {
   }
 
   /// The largest cos(r,l) over the box, exact, makes the largest f.
+  template <class BoxSight>
   [[nodiscard]] glm::dvec3 bound(const BoxSight& box) const {
     const double cosine = box.max_mirror_cosine();
     if (cosine <= 0) return glm::dvec3(0);
@@ -45,6 +47,12 @@ struct Phong {
                                        box.max_cosine_falloff);
   }
 
+  /// Takes over the larger reflectance; whether the shapes are the same, without which it does not.
+  bool cover(const Phong& other) {
+    if (exponent != other.exponent) return false;
+    reflectance = glm::max(reflectance, other.reflectance);
+    return true;
+  }
   bool operator==(const Phong&) const = default;
 
   /// (exponent + 2) / (2 pi): also the largest f per reflectance.

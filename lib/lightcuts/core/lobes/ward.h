@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <lightcuts/core/numerics/exponential.h>
 #include <lightcuts/core/records/fields.h>
@@ -44,8 +45,9 @@ struct Ward {
 
   /// f n.l falls off with tan(n,h) and grows with sqrt(n.l): the square root of n.l falloff and
   /// falloff at their largest.
+  template <class BoxSight>
   [[nodiscard]] glm::dvec3 bound(const BoxSight& box) const {
-    const double viewer = box.frame.viewer_cosine();
+    const double viewer = box.least_viewer_cosine();
     if (viewer <= 0) return glm::dvec3(0);
     const double a2 = double(alpha) * alpha;
     const double lobe = std::max(exp_of_minus(box.min_half_tangent2() / a2), 0x1p-760);
@@ -53,6 +55,12 @@ struct Ward {
                                        std::sqrt(box.max_falloff));
   }
 
+  /// Takes over the larger reflectance; whether the shapes are the same, without which it does not.
+  bool cover(const Ward& other) {
+    if (alpha != other.alpha) return false;
+    reflectance = glm::max(reflectance, other.reflectance);
+    return true;
+  }
   bool operator==(const Ward&) const = default;
 
   /// The largest f sqrt(n.l) per reflectance.

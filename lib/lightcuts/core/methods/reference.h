@@ -6,7 +6,8 @@
 namespace lightcuts::methods {
 
 inline constexpr MethodDescription reference{.name = "reference",
-                                             .meaning = "Every light on its own: exact but for rounding.",
+                                             .meaning =
+                                                 "Every light on its own: exact but for rounding.",
                                              .draws = false,
                                              .cuts = false,
                                              .rules = {},

@@ -12,6 +12,13 @@
 
 namespace lightcuts {
 
+/// Upper bound of Schlick's (1 - v.h)^5, given a lower one of l.v.
+[[nodiscard]] inline double max_schlick(double between_cosine) {
+  const double w = 1 - std::sqrt(0.5 * (1 + between_cosine)) + 0x1p-44;
+  const double kept = std::max(w, 0x1p-16); // so that rounding is small beside it
+  return kept * kept * (kept * kept) * kept;
+}
+
 /// All lights of a box seen from a shading point: what lobes are bounded with. Notation as in
 /// Sight; q ranges over the box.
 struct BoxSight {
@@ -20,6 +27,9 @@ struct BoxSight {
   const Box& box;            ///< of Light::position
   double max_cosine_falloff; ///< sup of n.l falloff; +inf allowed, > 0
   double max_falloff;        ///< sup of the falloff alone, 1/|q|^2 mostly; +inf allowed
+
+  /// n.v.
+  [[nodiscard]] double least_viewer_cosine() const { return frame.viewer_cosine(); }
 
   /// Largest cos(r,l), r the mirror direction as ShadingFrame has it; 0 if none is positive.
   [[nodiscard]] double max_mirror_cosine() const {
@@ -69,13 +79,6 @@ struct BoxSight {
   /// Lower bound of l.v, in the same way. In [-1, 1].
   [[nodiscard]] double min_between_cosine_quickly() const {
     return least_cosine(frame.to_viewer(), frame.inverse_viewer_length());
-  }
-
-  /// Upper bound of Schlick's (1 - v.h)^5, given a lower one of l.v.
-  [[nodiscard]] static double max_schlick(double between_cosine) {
-    const double w = 1 - std::sqrt(0.5 * (1 + between_cosine)) + 0x1p-44;
-    const double kept = std::max(w, 0x1p-16); // so that rounding is small beside it
-    return kept * kept * (kept * kept) * kept;
   }
 
 private:

@@ -86,9 +86,9 @@ TEST(Inspect, HasTheRadianceOfTheRenderedPixelByEveryMethodWithACut) {
     for (const glm::uvec2 pixel : some_pixels) {
       const Inspection found = inspect({frame->key(), pixel, {}});
       const std::size_t i = std::size_t(pixel.y) * 32 + pixel.x;
-      EXPECT_EQ(found.radiance, frame->rendering().radiance[i]) << name_of(method);
-      EXPECT_EQ(float(found.final_size), frame->rendering().cut_size[i]) << name_of(method);
-      EXPECT_EQ(float(found.shadow_rays), frame->rendering().shadow_rays[i]) << name_of(method);
+      EXPECT_EQ(found.radiance, frame->rendering().radiance[i]) << method->name;
+      EXPECT_EQ(float(found.final_size), frame->rendering().cut_size[i]) << method->name;
+      EXPECT_EQ(float(found.shadow_rays), frame->rendering().shadow_rays[i]) << method->name;
       EXPECT_EQ(found.emission, frame->rendering().emission[i]);
     }
   }

@@ -101,10 +101,10 @@ TEST(RowOf, IsTheCutsOwnRowForEveryClusterOfIt) {
       for (const ClusterRow& expected : inspect(key).clusters) {
         const auto row = row_of(key, expected.node);
         ASSERT_TRUE(row);
-        ASSERT_EQ(row->bound, expected.bound) << name_of(method) << " " << expected.lights;
-        ASSERT_EQ(row->estimate, expected.estimate) << name_of(method);
-        ASSERT_EQ(row->visible, expected.visible) << name_of(method);
-        ASSERT_EQ(row->share, expected.share) << name_of(method);
+        ASSERT_EQ(row->bound, expected.bound) << method->name << " " << expected.lights;
+        ASSERT_EQ(row->estimate, expected.estimate) << method->name;
+        ASSERT_EQ(row->visible, expected.visible) << method->name;
+        ASSERT_EQ(row->share, expected.share) << method->name;
         ASSERT_EQ(row->representative, expected.representative);
         ASSERT_EQ(row->distance, expected.distance);
         hidden += row->visible ? 0 : 1;

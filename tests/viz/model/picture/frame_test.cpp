@@ -32,7 +32,7 @@ void expect_same(const Rendering& a, const Rendering& b) {
 
 TEST(Frame, IsTheLibrarysPictureByEveryMethod) {
   for (const Method method : all_methods) {
-    SCOPED_TRACE(name_of(method));
+    SCOPED_TRACE(method->name);
     ShadingSettings settings = always_cuts();
     settings.seed = 5;
     const auto frame = made<Frame>(small_key(method, settings));

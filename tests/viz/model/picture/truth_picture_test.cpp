@@ -72,7 +72,7 @@ TEST(TruthPicture, FindsNothingWrongWithTheLibraryByAnyMethod) {
   for (const Method method : all_methods) {
     const auto picture = made<TruthPicture>(small_key(method));
     EXPECT_EQ(picture->failure(), "");
-    EXPECT_THAT(picture->violations(), Each(0)) << name_of(method);
+    EXPECT_THAT(picture->violations(), Each(0)) << method->name;
   }
 }
 
