@@ -21,14 +21,14 @@ struct SavedCounterexample {
 /// use is left out, and so are triangles, camera and image where there are none.
 [[nodiscard]] std::string counterexample_json(const SavedCounterexample& saved);
 
-/// Reads that; decimals beside are ignored, and a number will do for a hexadecimal string. Throws
-/// InputError that names `name` and the path in it, as `a.json: /case/lights/3/position/0 is
-/// "abc", expected a finite float such as "0x1.8p+1"`, where anything is missing, unknown or out of
-/// its domain: a case so read is valid.
+/// Reads what counterexample_json() gives, or a number for a hexadecimal string; decimals are
+/// ignored. Throws InputError that names `name` and the path in it, as `a.json:
+/// /case/lights/3/position/0 is "abc", expected a finite float such as "0x1.8p+1"`, where anything
+/// is missing, unknown or out of its domain: a case so read is valid.
 [[nodiscard]] SavedCounterexample read_counterexample(const std::string& name,
                                                       const std::string& text);
 
-/// The same of a file.
+/// read_counterexample() of a file, by its name. Throws InputError where it cannot be read, too.
 [[nodiscard]] SavedCounterexample load_counterexample(const std::filesystem::path& file);
 
 } // namespace lightcuts::oracle
