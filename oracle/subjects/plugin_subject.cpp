@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <lightcuts/core/input_error.h>
+#include <oracle/subjects/c_records.h>
 #include <oracle/subjects/subject_process.h>
 
 namespace lightcuts::oracle {
@@ -24,49 +25,6 @@ using protocol::Writer;
 std::array<float, 3> array_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 glm::vec3 vec3_of(const std::array<float, 3>& a) { return {a[0], a[1], a[2]}; }
 glm::dvec3 dvec3_of(const double (&a)[3]) { return {a[0], a[1], a[2]}; }
-
-void copy(const glm::vec3& from, float (&to)[3]) {
-  for (int i = 0; i < 3; ++i) to[i] = from[i];
-}
-
-lightcuts_light as_c(const Light& light) {
-  lightcuts_light c{};
-  c.kind = std::uint32_t(light.kind);
-  copy(light.position, c.position);
-  copy(light.intensity, c.intensity);
-  copy(light.axis, c.axis);
-  c.cos_inner = light.cos_inner;
-  c.cos_outer = light.cos_outer;
-  return c;
-}
-
-void set_lobe(lightcuts_material& c, std::uint32_t kind, const glm::vec3& reflectance,
-              float width) {
-  c.lobe = kind;
-  copy(reflectance, c.reflectance);
-  c.width = width;
-}
-void set_lobe(lightcuts_material& /*c*/, const NoLobe& /*none*/) {}
-void set_lobe(lightcuts_material& c, const Phong& lobe) {
-  set_lobe(c, LIGHTCUTS_LOBE_PHONG, lobe.reflectance, lobe.exponent);
-}
-void set_lobe(lightcuts_material& c, const Ward& lobe) {
-  set_lobe(c, LIGHTCUTS_LOBE_WARD, lobe.reflectance, lobe.alpha);
-}
-void set_lobe(lightcuts_material& c, const CookTorrance& lobe) {
-  set_lobe(c, LIGHTCUTS_LOBE_COOK_TORRANCE, lobe.f0, lobe.alpha);
-}
-
-lightcuts_point as_c(const ShadingPoint& point) {
-  lightcuts_point c{};
-  copy(point.position(), c.position);
-  copy(point.normal(), c.normal);
-  copy(point.to_viewer(), c.to_viewer);
-  copy(point.mirror(), c.mirror);
-  copy(point.material().diffuse, c.material.diffuse);
-  std::visit([&](const auto& lobe) { set_lobe(c.material, lobe); }, point.material().lobe);
-  return c;
-}
 
 /// Of floats and 32-bit numbers without padding.
 template <class T>
@@ -199,8 +157,7 @@ public:
   Cut select(const ShadingPoint& point, const CutConfig& config,
              const std::function<bool(std::uint32_t)>& visible) override {
     look_from(point);
-    message_.put(lightcuts_cut_config{config.threshold, config.max_size, config.black_level,
-                                      config.unoccluded ? 1U : 0U});
+    message_.put(as_c(config));
     for (std::uint32_t i = 0; i < input_->light_count; ++i)
       message_.put(std::uint8_t(visible(i) ? 1 : 0));
     Reader answer =
