@@ -26,6 +26,14 @@ struct Counterexample {
   Case on;
   std::string message;
   std::uint64_t index = 0; ///< of the random case it comes from
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("property", &Counterexample::property);
+    field("message", &Counterexample::message);
+    field("index", &Counterexample::index);
+    field("case", &Counterexample::on);
+  }
 };
 
 struct HuntResult {

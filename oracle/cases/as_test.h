@@ -7,6 +7,9 @@
 
 namespace lightcuts::oracle {
 
+/// C++ statements that make the case, to the bit, as a variable `on`.
+[[nodiscard]] std::string statements_for(const Case& on);
+
 /// A C++ file with one GoogleTest case, to be linked with lightcuts::oracle: the case with exact
 /// floats, and that the property holds on it for the library's subject of that name, "paper" or
 /// else "lightcuts". Of a mutant, also that it is convicted.

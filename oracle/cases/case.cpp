@@ -8,6 +8,7 @@
 
 #include <oracle/cases/random_pixels.h>
 #include <oracle/cases/simpler.h>
+#include <oracle/records/simpler_values.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -49,8 +50,8 @@ Case lights_and_views(Dice& dice) {
 
 void add_quad(Case& c, const glm::vec3& corner, const glm::vec3& a, const glm::vec3& b) {
   const std::uint32_t mesh = c.triangles.empty() ? 0 : c.triangles.back().mesh + 1;
-  c.triangles.push_back({{corner, corner + a, corner + a + b}, mesh});
-  c.triangles.push_back({{corner, corner + a + b, corner + b}, mesh});
+  c.triangles.push_back({corner, corner + a, corner + a + b, mesh});
+  c.triangles.push_back({corner, corner + a + b, corner + b, mesh});
 }
 
 /// A floor with things hanging over it, seen from above, in units of any size.
@@ -131,7 +132,7 @@ public:
   [[nodiscard]] bool all() const {
     return lights() || without_chunks(&Case::views, 1) ||
            without_chunks(&Case::triangles, std::min<std::size_t>(of_.triangles.size(), 1)) ||
-           together() || views() || cut() || min_distance() || each_light() || picture();
+           together() || fields();
   }
 
 private:
@@ -281,57 +282,45 @@ private:
     return std::abs(exponent) <= 1 ? 0 : exponent;
   }
 
-  [[nodiscard]] bool views() const {
-    for (std::size_t i = 0; i < of_.views.size(); ++i) {
-      const std::vector<std::uint32_t>& hidden = of_.views[i].hidden;
-      const auto seen = [&](std::size_t first, std::size_t chunk) {
-        return with([&](Case& c) { erase(c.views[i].hidden, first, chunk); });
-      };
-      if (!hidden.empty() && (seen(0, hidden.size()) || for_chunks(hidden.size(), 1, seen)))
-        return true;
-      if (each(gen::simpler(of_.views[i].view),
-               [i](Case& c) -> gen::View& { return c.views[i].view; }))
-        return true;
-    }
-    return false;
+  [[nodiscard]] bool fields() const {
+    bool done = false;
+    for_each_field<Case>([&](const auto& field) {
+      done = done || simpler_field(field.member, field.domain_in(of_));
+    });
+    return done;
   }
 
-  [[nodiscard]] bool cut() const {
-    const CutConfig usual{0.02F, 1000, 0};
-    const auto reset = [&](auto CutConfig::*field) {
-      return of_.cut.*field != usual.*field && with([&](Case& c) { c.cut.*field = usual.*field; });
-    };
-    return reset(&CutConfig::threshold) || reset(&CutConfig::max_size) ||
-           reset(&CutConfig::black_level) ||
-           (of_.draws && with([](Case& c) { c.draws = false; })) ||
-           (of_.seed != 1 && with([](Case& c) { c.seed = 1; }));
+  template <class Value>
+  bool simpler_field(Value Case::*member, const Domain& domain) const {
+    return each(simpler_values(of_.*member, Case{}.*member, domain),
+                [member](Case& c) -> Value& { return c.*member; });
   }
 
-  [[nodiscard]] bool min_distance() const {
-    std::vector<float> values = gen::simpler(of_.min_distance);
-    std::erase_if(values, [](float value) { return value < 0; });
-    return each(values, [](Case& c) -> float& { return c.min_distance; });
-  }
-
-  [[nodiscard]] bool each_light() const {
-    for (std::size_t i = 0; i < of_.lights.size(); ++i)
-      if (each(gen::simpler(of_.lights[i]), [i](Case& c) -> Light& { return c.lights[i]; }))
+  template <class T>
+  bool simpler_field(std::vector<T> Case::*member, const Domain& /*domain*/) const {
+    for (std::size_t i = 0; i < (of_.*member).size(); ++i)
+      if (each(simpler_element((of_.*member)[i]), [&](Case& c) -> T& { return (c.*member)[i]; }))
         return true;
     return false;
   }
 
-  [[nodiscard]] bool picture() const {
-    if (of_.triangles.empty()) return false;
-    for (const glm::uvec2 size :
-         {glm::uvec2(1), glm::uvec2(1, of_.image_size.y), glm::uvec2(of_.image_size.x, 1)})
-      if (size != of_.image_size && with([&](Case& c) { c.image_size = size; })) return true;
-    for (std::size_t i = 0; i < of_.triangles.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        if (each(gen::simpler(of_.triangles[i].corners[k]),
-                 [i, k](Case& c) -> glm::vec3& { return c.triangles[i].corners[k]; }))
-          return true;
-    return false;
+  static std::vector<Light> simpler_element(const Light& light) { return gen::simpler(light); }
+  template <class T>
+  static std::vector<T> simpler_element(const T& element) {
+    return simpler_values(element);
   }
+
+  bool simpler_field(CutConfig Case::*cut, const Domain& /*domain*/) const {
+    return each(with_usual_fields(of_.*cut, {0.02F, 1000, 0}),
+                [cut](Case& c) -> CutConfig& { return c.*cut; });
+  }
+
+  /// Of a picture, if there is one.
+  bool simpler_field(glm::uvec2 Case::*size, const Domain& domain) const {
+    return !of_.triangles.empty() && simpler_field<glm::uvec2>(size, domain);
+  }
+
+  bool simpler_field(Camera Case::* /*stays*/, const Domain& /*domain*/) const { return false; }
 
   const Case& of_;
   const std::function<bool(Case&)>& visitor_;
@@ -354,7 +343,7 @@ lightcuts::Scene Case::scene() const {
   scene.image_size = image_size;
   for (const CaseTriangle& t : triangles) {
     const auto first = std::uint32_t(scene.mesh.positions.size());
-    scene.mesh.positions.insert(scene.mesh.positions.end(), t.corners.begin(), t.corners.end());
+    scene.mesh.positions.insert(scene.mesh.positions.end(), {t.a, t.b, t.c});
     scene.mesh.triangles.emplace_back(first, first + 1, first + 2);
     scene.mesh.surface.push_back(t.mesh);
     while (scene.surfaces.size() <= t.mesh)

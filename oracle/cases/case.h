@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -16,16 +15,31 @@ namespace lightcuts::oracle {
 
 /// A shading point, and which lights are not seen from it.
 struct CaseView {
-  gen::View view;
-  std::vector<std::uint32_t> hidden; ///< indices of lights, ascending
+  gen::View view = {};
+  std::vector<std::uint32_t> hidden = {}; ///< indices of lights, ascending
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("view", &CaseView::view, domain::inlined);
+    field("hidden", &CaseView::hidden);
+  }
 
   bool operator==(const CaseView&) const = default;
 };
 
 /// A triangle of a case; its surface is the first view's material.
 struct CaseTriangle {
-  std::array<glm::vec3, 3> corners;
-  std::uint32_t mesh = 0; ///< triangles of one mesh are neighbours
+  glm::vec3 a{0}, b{0}, c{0}; ///< corners, metres
+  std::uint32_t mesh = 0;     ///< below max_meshes; triangles of one mesh are neighbours
+  static constexpr std::uint32_t max_meshes = 1U << 16;
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("a", &CaseTriangle::a);
+    field("b", &CaseTriangle::b);
+    field("c", &CaseTriangle::c);
+    field("mesh", &CaseTriangle::mesh, domain::within(0, max_meshes - 1));
+  }
 
   bool operator==(const CaseTriangle&) const = default;
 };
@@ -42,6 +56,22 @@ struct Case {
   std::vector<CaseTriangle> triangles;
   Camera camera;            ///< of the picture
   glm::uvec2 image_size{8}; ///< pixels
+  /// A case is judged by brute force, pixel by pixel.
+  static constexpr unsigned max_image_side = 64;
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("lights", &Case::lights);
+    field("min_distance", &Case::min_distance, domain::not_negative);
+    field("views", &Case::views);
+    field("cut", &Case::cut);
+    field("seed", &Case::seed);
+    field("draws", &Case::draws, domain::optional);
+    field("triangles", &Case::triangles, domain::optional);
+    field("camera", &Case::camera, domain::optional);
+    field("image_size", &Case::image_size,
+          Domain{.least = 1, .most = max_image_side, .optional = true});
+  }
 
   [[nodiscard]] LightSet light_set() const;
   /// The triangles with the lights and the first view's material.

@@ -8,17 +8,25 @@
 
 namespace lightcuts::oracle {
 
+inline constexpr const char* counterexample_schema = "lightcuts-oracle/counterexample/1";
+
 /// A counterexample and whose it is.
 struct SavedCounterexample {
   /// "lightcuts", "paper", "mutant:NAME", or the path of a plug-in: see subject_for() of the
   /// command line.
   std::string subject;
   Counterexample counterexample;
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("subject", &SavedCounterexample::subject);
+    field("counterexample", &SavedCounterexample::counterexample, domain::inlined);
+  }
 };
 
 /// JSON of schema lightcuts-oracle/counterexample/1. Each float is a hexadecimal string, "0x1.8p+1"
 /// for 3, exact; beside it, as KEY_decimal, are decimals for readers. What a light's kind does not
-/// use is left out, and so are triangles, camera and image where there are none.
+/// use is left out, and so is what is optional and has its default value: see the records' fields.
 [[nodiscard]] std::string counterexample_json(const SavedCounterexample& saved);
 
 /// Reads what counterexample_json() gives, or a number for a hexadecimal string; decimals are

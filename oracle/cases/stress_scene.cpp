@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <ostream>
-#include <variant>
 
 #include <oracle/cases/dice.h>
+#include <oracle/records/record_literal.h>
+#include <oracle/records/record_text.h>
 #include <oracle/truth/kinds.h>
 #include <oracle/truth/lobes.h>
 
@@ -146,21 +146,6 @@ View random_view(Dice& dice, const Choice& choice) {
   return view;
 }
 
-struct Number {
-  float value;
-};
-
-std::ostream& operator<<(std::ostream& out, const Number& n) {
-  out << n.value;
-  if (n.value != std::trunc(n.value) || std::abs(n.value) > 1e6F)
-    out << " (" << std::hexfloat << n.value << std::defaultfloat << ")";
-  return out;
-}
-
-std::ostream& show(std::ostream& out, const char* name, const glm::vec3& v) {
-  return out << name << " {" << Number{v.x} << ", " << Number{v.y} << ", " << Number{v.z} << "} ";
-}
-
 } // namespace
 
 Scene make_scene(Dice& dice, int count, const Choice& choice) {
@@ -204,30 +189,11 @@ LightSet Scene::light_set() const {
 }
 
 std::ostream& operator<<(std::ostream& out, const View& view) {
-  show(out, "point: position", view.position);
-  show(out, "normal", view.normal);
-  show(out, "to_viewer", view.to_viewer);
-  show(out, "\n  diffuse", view.material.diffuse);
-  if (const auto* phong = std::get_if<Phong>(&view.material.lobe))
-    show(out, "Phong", phong->reflectance) << Number{phong->exponent};
-  if (const auto* ward = std::get_if<Ward>(&view.material.lobe))
-    show(out, "Ward", ward->reflectance) << Number{ward->alpha};
-  if (const auto* ggx = std::get_if<CookTorrance>(&view.material.lobe))
-    show(out, "Cook-Torrance", ggx->f0) << Number{ggx->alpha};
-  return out;
+  return out << oracle::text_of(view) << '\n' << oracle::literal_of(view);
 }
 
 std::ostream& operator<<(std::ostream& out, const Scene& scene) {
-  out << std::setprecision(9) << scene.view;
-  if (scene.min_distance > 0) out << "\nmin_distance " << Number{scene.min_distance};
-  for (const Light& light : scene.lights) {
-    show(out << "\n" << name_of(light.kind) << " light: ", "position", light.position);
-    show(out, "intensity", light.intensity);
-    if (has_axis(light.kind)) show(out, "axis", light.axis);
-    if (light.kind == LightKind::spot)
-      out << "cosines " << Number{light.cos_inner} << " " << Number{light.cos_outer};
-  }
-  return out;
+  return out << oracle::text_of(scene) << '\n' << oracle::literal_of(scene);
 }
 
 } // namespace lightcuts::gen

@@ -19,6 +19,14 @@ struct View {
   glm::vec3 position{0}, normal{0, 0, 1}, to_viewer{0, 0, 1};
   Material material{glm::vec3(1), {}};
 
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("position", &View::position);
+    field("normal", &View::normal, domain::unit);
+    field("to_viewer", &View::to_viewer, domain::unit);
+    field("material", &View::material);
+  }
+
   [[nodiscard]] ShadingPoint point() const { return {position, normal, to_viewer, material}; }
   bool operator==(const View&) const = default;
 };
@@ -27,6 +35,13 @@ struct Scene {
   std::vector<Light> lights;
   View view;
   float min_distance = 0; ///< 0: no clamp
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("lights", &Scene::lights);
+    field("view", &Scene::view);
+    field("min_distance", &Scene::min_distance, domain::not_negative);
+  }
 
   [[nodiscard]] LightSet light_set() const;
 };

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <bit>
 #include <csignal>
 #include <memory>
 #include <optional>
@@ -20,6 +19,7 @@
 #include <oracle/cli/progress.h>
 #include <oracle/cli/property_table.h>
 #include <oracle/cli/subjects.h>
+#include <oracle/records/record_json.h>
 
 namespace lightcuts::cli {
 namespace {
@@ -107,20 +107,8 @@ std::string counterexample_text(const CheckResult& result,
 
 /// A hash of all lights, whatever made them.
 std::uint64_t fingerprint(const LightSet& lights) {
-  std::uint64_t hash = lights.size();
-  const auto add = [&hash](float value) {
-    hash = splitmix64(hash ^ std::bit_cast<std::uint32_t>(value));
-  };
-  const auto add_vector = [&add](const glm::vec3& v) {
-    for (int i = 0; i < 3; ++i) add(v[i]);
-  };
-  add(lights.min_distance());
-  for (const Light& light : lights) {
-    add(float(int(light.kind)));
-    for (const glm::vec3& v : {light.position, light.intensity, light.axis}) add_vector(v);
-    add(light.cos_inner);
-    add(light.cos_outer);
-  }
+  std::uint64_t hash = oracle::fingerprint(lights.min_distance());
+  for (const Light& light : lights) hash = splitmix64(hash ^ oracle::fingerprint(light));
   return hash;
 }
 
@@ -135,9 +123,7 @@ nlohmann::ordered_json campaign_of(const CheckOptions& options, const Scene& sce
           {"triangles", scene.mesh.triangles.size()},
           {"width", scene.image_size.x},
           {"height", scene.image_size.y},
-          {"threshold", config.cut.threshold},
-          {"black level", config.cut.black_level},
-          {"largest cut", config.cut.max_size}};
+          {"cut", oracle::json_of(config.cut)}};
 }
 
 CheckResult checked(const CheckOptions& options, const SceneView& view,

@@ -33,7 +33,7 @@ std::string steps(const Subject& subject, const Counterexample& c) {
     text = explain_cluster(judged, c.property, at);
     if (text.empty()) text = explain_cut(judged, c.property, c.on, at);
     if (text.empty()) return false;
-    text = fmt::format("view {}\n{}\n", i, text_of(c.on.views[i].view)) + text;
+    text = fmt::format("view {}\n{}\n", i, lines_of(c.on.views[i].view)) + text;
     return true;
   });
   return text;

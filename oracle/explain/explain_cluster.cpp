@@ -11,7 +11,6 @@
 #include <oracle/explain/failing_place.h>
 #include <oracle/truth/radiometry.h>
 
-#include <oracle/cases/case_names.h>
 #include <oracle/explain/explain_parts.h>
 
 namespace lightcuts::oracle {

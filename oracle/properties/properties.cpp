@@ -101,6 +101,12 @@ constexpr std::array<PropertyInfo, property_count> infos{{
 
 const PropertyInfo& info(Property property) { return infos[std::size_t(property)]; }
 
+std::array<const char*, property_count> names_of(Property /*any*/) {
+  std::array<const char*, property_count> names{};
+  for (std::size_t i = 0; i < property_count; ++i) names[i] = info(Property(i)).name;
+  return names;
+}
+
 std::optional<Property> property_named(std::string_view name) {
   for (std::size_t i = 0; i < property_count; ++i)
     if (name == infos[i].name) return Property(i);

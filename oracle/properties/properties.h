@@ -75,6 +75,8 @@ struct PropertyInfo {
 };
 
 [[nodiscard]] const PropertyInfo& info(Property property);
+/// Of all, in their order: for the fields of records.
+[[nodiscard]] std::array<const char*, property_count> names_of(Property any);
 [[nodiscard]] std::optional<Property> property_named(std::string_view name);
 
 /// Counts of one property.

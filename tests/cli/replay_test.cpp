@@ -62,6 +62,17 @@ TEST_F(ReplayCommand, PrintsATest) {
               HasSubstr("TEST(IntensityOfRepresentative, BoundDominatesContribution) {"));
 }
 
+// Found by many draws, the first two; the last is right, but dear.
+TEST(Replay, FailsForWhatMutantsSaves) {
+  for (const std::string name : {"one-number-for-all", "resampled-between", "metric-difference"}) {
+    const OracleProcess oracle;
+    EXPECT_EQ(oracle.run({"mutants", name, "--cases", "1000", "--out", "."}).exit_code, 0);
+    const Outcome outcome = oracle.run({"replay", "counterexample-" + name + ".json"});
+    EXPECT_EQ(outcome.exit_code, 1) << name << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("is still violated by " + name));
+  }
+}
+
 TEST_F(ReplayCommand, RefusesWhatItCannotRead) {
   const auto expect_refusal = [this](const std::vector<std::string>& arguments,
                                      const std::string& says) {

@@ -13,9 +13,7 @@ namespace {
 TEST(IntensityOfRepresentative, BoundDominatesContribution) {
   Case on;
   on.lights = {
-      {.kind = LightKind::omni,
-       .position = {0x1.99999ap-4F, 0x0p+0F, 0x1p+0F},
-       .intensity = {0x1p+0F, 0x1p+1F, 0x1.8p+1F}},
+      {.position = {0x1.99999ap-4F, 0x0p+0F, 0x1p+0F}, .intensity = {0x1p+0F, 0x1p+1F, 0x1.8p+1F}},
       {.kind = LightKind::oriented,
        .position = {0x0p+0F, 0x1p+0F, 0x1p+1F},
        .intensity = {0x1p+1F, 0x1p+1F, 0x1p+1F},
@@ -32,41 +30,37 @@ TEST(IntensityOfRepresentative, BoundDominatesContribution) {
   };
   on.min_distance = 0x1p-4F;
   on.views = {
-      {{.position = {0x0p+0F, 0x0p+0F, 0x0p+0F},
-        .normal = {0x0p+0F, 0x0p+0F, 0x1p+0F},
-        .to_viewer = {0x0p+0F, 0x0p+0F, 0x1p+0F},
-        .material = {{0x1p-1F, 0x1p-1F, 0x1p-1F}, Phong{{0x1p-2F, 0x1p-2F, 0x1p-2F}, 0x1p+3F}}},
-       {1, 2}},
-      {{.position = {0x0p+0F, 0x1p+0F, 0x0p+0F},
-        .normal = {0x0p+0F, 0x0p+0F, 0x1p+0F},
-        .to_viewer = {0x0p+0F, 0x1.333334p-1F, 0x1.99999ap-1F},
-        .material = {{0x1p-1F, 0x1p-1F, 0x1p-1F}, Ward{{0x1p-1F, 0x1p-1F, 0x1p-1F}, 0x1p-2F}}},
-       {}},
-      {{.position = {0x1p+0F, 0x0p+0F, 0x0p+0F},
-        .normal = {0x0p+0F, 0x0p+0F, 0x1p+0F},
-        .to_viewer = {0x0p+0F, 0x0p+0F, 0x1p+0F},
-        .material = {{0x1.99999ap-4F, 0x1.99999ap-4F, 0x1.99999ap-4F},
-                     CookTorrance{{0x1.47ae14p-5F, 0x1.47ae14p-5F, 0x1.47ae14p-5F}, 0x1p-1F}}},
-       {0}},
-      {{.position = {0x1p+0F, 0x1p+0F, 0x0p+0F},
-        .normal = {0x0p+0F, 0x0p+0F, 0x1p+0F},
-        .to_viewer = {0x0p+0F, 0x0p+0F, 0x1p+0F},
-        .material = {{0x1p+0F, 0x1p+0F, 0x1p+0F}, NoLobe{}}},
-       {}},
+      {.view = {.material = {.diffuse = {0x1p-1F, 0x1p-1F, 0x1p-1F},
+                             .lobe = Phong{.reflectance = {0x1p-2F, 0x1p-2F, 0x1p-2F},
+                                           .exponent = 0x1p+3F}}},
+       .hidden = {1U, 2U}},
+      {.view = {.position = {0x0p+0F, 0x1p+0F, 0x0p+0F},
+                .to_viewer = {0x0p+0F, 0x1.333334p-1F, 0x1.99999ap-1F},
+                .material = {.diffuse = {0x1p-1F, 0x1p-1F, 0x1p-1F},
+                             .lobe = Ward{.reflectance = {0x1p-1F, 0x1p-1F, 0x1p-1F},
+                                          .alpha = 0x1p-2F}}}},
+      {.view = {.position = {0x1p+0F, 0x0p+0F, 0x0p+0F},
+                .material = {.diffuse = {0x1.99999ap-4F, 0x1.99999ap-4F, 0x1.99999ap-4F},
+                             .lobe = CookTorrance{.f0 = {0x1.47ae14p-5F, 0x1.47ae14p-5F,
+                                                         0x1.47ae14p-5F}}}},
+       .hidden = {0U}},
+      {.view = {.position = {0x1p+0F, 0x1p+0F, 0x0p+0F}}},
   };
-  on.cut = {0x1.99999ap-4F, 7U, 0x1.0624dep-10F, false};
+  on.cut = {.threshold = 0x1.99999ap-4F, .max_size = 7U, .black_level = 0x1.0624dep-10F};
   on.seed = 12345678901234567890U;
   on.triangles = {
-      {{{{-0x1p+2F, -0x1p+2F, 0x0p+0F}, {0x1p+2F, -0x1p+2F, 0x0p+0F}, {0x0p+0F, 0x1p+2F, 0x0p+0F}}},
-       0},
-      {{{{0x0p+0F, 0x0p+0F, 0x1p-1F}, {0x1p+0F, 0x0p+0F, 0x1p-1F}, {0x0p+0F, 0x1p+0F, 0x1p-1F}}},
-       3},
+      {.a = {-0x1p+2F, -0x1p+2F, 0x0p+0F},
+       .b = {0x1p+2F, -0x1p+2F, 0x0p+0F},
+       .c = {0x0p+0F, 0x1p+2F, 0x0p+0F}},
+      {.a = {0x0p+0F, 0x0p+0F, 0x1p-1F},
+       .b = {0x1p+0F, 0x0p+0F, 0x1p-1F},
+       .c = {0x0p+0F, 0x1p+0F, 0x1p-1F},
+       .mesh = 3U},
   };
-  on.camera = {{0x0p+0F, -0x1.8p+1F, 0x1.8p+1F},
-               {0x0p+0F, 0x0p+0F, 0x0p+0F},
-               {0x0p+0F, 0x0p+0F, 0x1p+0F},
-               0x1.9p+5F};
-  on.image_size = {3, 2};
+  on.camera = {.position = {0x0p+0F, -0x1.8p+1F, 0x1.8p+1F},
+               .up = {0x0p+0F, 0x0p+0F, 0x1p+0F},
+               .vertical_fov = 0x1.9p+5F};
+  on.image_size = {3U, 2U};
   EXPECT_EQ(failure_of(*library_subject(), Property::bound_dominates_contribution, on),
             std::nullopt);
   EXPECT_NE(failure_of(*mutant_named("intensity-of-representative")->subject(),

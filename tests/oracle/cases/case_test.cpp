@@ -113,7 +113,7 @@ TEST(CaseScene, HasTheTrianglesLightsAndMaterialOfTheCase) {
   c.views.push_back({});
   c.views[0].view.material = {glm::vec3(0.25F), {}};
   const glm::vec3 a(0), b(1, 0, 0), d(0, 0, 1);
-  c.triangles = {{{a, b, d}, 0}, {{b, d, a}, 2}};
+  c.triangles = {{a, b, d, 0}, {b, d, a, 2}};
   c.image_size = {3, 5};
   const Scene scene = c.scene();
   EXPECT_EQ(scene.mesh.triangles.size(), 2U);

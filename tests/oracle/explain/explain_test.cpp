@@ -216,7 +216,7 @@ TEST(Explain, SaysThatItHolds) {
   const std::string text = explain(
       *library_subject(), {Property::bound_dominates_contribution, two_lights_above(), "", 0});
   EXPECT_THAT(text, HasSubstr("It holds."));
-  EXPECT_THAT(text, HasSubstr("light 1: omni at (0, 0, 1), intensity (3, 0, 1)"));
+  EXPECT_THAT(text, HasSubstr("light 1: omni, position (0, 0, 1), intensity (3, 0, 1)"));
 }
 
 /// Columns of the longest line.

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <oracle/campaign/check_case.h>
 #include <oracle/campaign/hunt.h>
+#include <oracle/cases/counterexample_json.h>
 #include <oracle/subjects/library_subject.h>
 
 namespace lightcuts::oracle {
@@ -47,8 +49,17 @@ TEST(Mutants, ThatAreWastefulOnlyAreNotCalledWrong) {
   }
 }
 
+/// Whether the property does not hold on the case once it was written to a file and read from it.
+bool fails_when_replayed(const Subject& subject, const Counterexample& found) {
+  const std::string text = counterexample_json({subject.name(), found});
+  const Counterexample read = read_counterexample("a.json", text).counterexample;
+  Tally tally;
+  check_case(subject, read.on, 0, tally);
+  return tally[read.property].violations > 0;
+}
+
 // Two lights and one point at the median, eight lights at most.
-TEST(Mutants, ShrinkToLittle) {
+TEST(Mutants, ShrinkToLittleThatFailsWhenReplayed) {
   std::vector<std::size_t> lights;
   for (const Mutant& mutant : mutants()) {
     const auto subject = mutant.subject();
@@ -61,6 +72,7 @@ TEST(Mutants, ShrinkToLittle) {
     lights.push_back(small.on.lights.size());
     EXPECT_LE(lights.back(), 8U) << mutant.name;
     EXPECT_LE(small.on.views.size(), 2U) << mutant.name;
+    EXPECT_TRUE(fails_when_replayed(*subject, small)) << mutant.name;
   }
   std::sort(lights.begin(), lights.end());
   EXPECT_LE(lights[lights.size() / 2], 2U);

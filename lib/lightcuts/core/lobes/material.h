@@ -36,7 +36,7 @@ using Lobe = std::variant<NoLobe, Phong, Ward, CookTorrance>;
 /// diffuse + 1.
 struct Material {
   glm::vec3 diffuse{0}; ///< reflectance, >= 0
-  Lobe lobe;
+  Lobe lobe = {};
 
   template <class Visitor>
   static constexpr void fields(Visitor&& field) {

@@ -9,7 +9,8 @@
 #include <type_traits>
 #include <utility>
 
-/// A record is a plain struct that lists its fields, in the order in which they are declared:
+/// A record is a plain struct that lists its fields; in the order in which they are declared, if it
+/// is to be written as C++:
 ///
 ///   struct Cone {
 ///     glm::vec3 axis{0, 0, 1};
@@ -24,8 +25,7 @@
 ///
 /// Whatever reads, writes, compares or simplifies records does so for all of them by that list. A
 /// field is a number, truth value, text, GLM vector, enum with names, record, variant of records
-/// that have a `name` each, or a std::vector or std::optional of such. One that is named "" is a
-/// record whose fields stand in its place.
+/// that have a `name` each, or a std::vector or std::optional of such.
 namespace lightcuts {
 
 /// Where the values of a field lie; of a vector, each of its components.
@@ -34,6 +34,7 @@ struct Domain {
   double most = std::numeric_limits<double>::infinity();
   bool unit = false;     ///< a vector of length 1
   bool optional = false; ///< may be left out where it has its default value; default false
+  bool inlined = false;  ///< a record whose fields stand in its place in texts; default false
   bool exists = true;    ///< false: the record's other fields make it mean nothing; default true
 };
 
@@ -43,6 +44,7 @@ inline constexpr Domain any{};
 inline constexpr Domain not_negative{.least = 0};
 inline constexpr Domain unit{.unit = true};
 inline constexpr Domain optional{.optional = true};
+inline constexpr Domain inlined{.inlined = true};
 inline constexpr Domain absent{.exists = false};
 [[nodiscard]] constexpr Domain within(double least, double most) {
   return {.least = least, .most = most};
@@ -94,6 +96,15 @@ constexpr void for_each_field(R& record, F&& f) {
   for_each_field<std::remove_const_t<R>>([&](const auto& field) {
     if (const Domain domain = field.domain_in(record); domain.exists)
       f(field.name, record.*field.member, domain);
+  });
+}
+
+/// The same with those of another beside: f(name, value, value of the other, Domain).
+template <Record R, class F>
+constexpr void for_each_field(R& record, const std::type_identity_t<R>& other, F&& f) {
+  for_each_field<std::remove_const_t<R>>([&](const auto& field) {
+    if (const Domain domain = field.domain_in(record); domain.exists)
+      f(field.name, record.*field.member, other.*field.member, domain);
   });
 }
 

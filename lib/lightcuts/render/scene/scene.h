@@ -52,7 +52,7 @@ struct Camera {
     field("position", &Camera::position);
     field("target", &Camera::target);
     field("up", &Camera::up);
-    field("vertical_fov", &Camera::vertical_fov);
+    field("vertical_fov", &Camera::vertical_fov, domain::within(0, 180));
   }
   bool operator==(const Camera&) const = default;
 };

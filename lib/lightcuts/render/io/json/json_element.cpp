@@ -24,7 +24,7 @@ void JsonElement::refuse_type(const char* expected) const {
   refuse(fmt::format("is {}{}, expected {}", article, type, expected));
 }
 
-void JsonElement::expect_keys(std::initializer_list<const char*> known) const {
+void JsonElement::expect_keys(const std::vector<std::string>& known) const {
   if (!json_->is_object()) refuse_type("an object");
   for (const auto& [key, value] : json_->items())
     if (std::find(known.begin(), known.end(), key) == known.end())

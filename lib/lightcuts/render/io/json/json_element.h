@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <limits>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/core/input_error.h>
@@ -33,7 +33,7 @@ public:
   [[nodiscard]] bool has(const std::string& key) const { return json_->contains(key); }
 
   /// Refuses what is not an object, and keys that are not among these.
-  void expect_keys(std::initializer_list<const char*> known) const;
+  void expect_keys(const std::vector<std::string>& known) const;
 
   /// Member of an object; refuses its absence.
   [[nodiscard]] JsonElement operator[](const char* key) const;
