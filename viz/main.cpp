@@ -27,8 +27,9 @@ void begin(App& app, const Options& options) {
 void require_scene(Workbench& workbench) {
   for (const Message& message : workbench.messages()) fmt::print(stderr, "{}\n", message.text);
   if (workbench.scene()) return;
-  throw InputError(workbench.opening() ? "the scene is not open yet; --wait waits longer"
-                                       : "nothing to show");
+  throw InputError(InputFault::missing, workbench.opening()
+                                            ? "the scene is not open yet; --wait waits longer"
+                                            : "nothing to show");
 }
 
 /// Known before the work, not after.
@@ -36,7 +37,7 @@ void require_writable(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const bool exists = std::filesystem::exists(file);
   if (std::filesystem::is_directory(file) || ::access((exists ? file : folder).c_str(), W_OK) != 0)
-    throw InputError(file.string() + ": cannot be written");
+    throw InputError(InputFault::unwritable_file, file.string() + ": cannot be written");
 }
 
 int take_screenshot(const Options& options) {

@@ -276,7 +276,8 @@ private:
 
 CheckResult check(const SceneView& view, const Subject& subject, const CheckConfig& config,
                   const CheckResult& done) {
-  if (view.scene().lights.empty()) throw InputError(view.scene().name + ": no lights");
+  if (view.scene().lights.empty())
+    throw InputError(InputFault::missing, view.scene().name + ": no lights");
   return Campaign(view, subject, config, done).run();
 }
 

@@ -35,7 +35,7 @@ void require_camera(const JsonElement& element, const Camera& camera) {
   try {
     (void)PinholeView(camera, glm::uvec2(1));
   } catch (const InputError& error) {
-    element.refuse_as(fmt::format(": {}", error.what()));
+    element.refuse_as(error.fault(), fmt::format(": {}", error.what()));
   }
 }
 

@@ -13,7 +13,7 @@ VisiblePoint random_point(const SceneView& view, std::uint64_t seed, std::uint64
     const glm::uvec2 pixel((bits >> 32) % size.x, (bits & 0xffffffffU) % size.y);
     if (const auto p = view.at(pixel)) return *p;
   }
-  throw InputError(view.scene().name + ": the camera sees no surface");
+  throw InputError(InputFault::missing, view.scene().name + ": the camera sees no surface");
 }
 
 } // namespace lightcuts::oracle

@@ -60,18 +60,21 @@ CampaignFile::CampaignFile(std::filesystem::path file, nlohmann::ordered_json wh
 oracle::CheckResult CampaignFile::load() const {
   if (!std::filesystem::exists(file_)) return {};
   std::ifstream in(file_);
-  if (!in) throw InputError(file_.string() + ": cannot be read");
+  if (!in) throw InputError(InputFault::unreadable_file, file_.string() + ": cannot be read");
   try {
     const nlohmann::json json = nlohmann::json::parse(in);
     if (json.at("schema") != schema)
-      throw InputError(file_.string() + ": is of another version of lightcuts-oracle");
+      throw InputError(InputFault::unsupported,
+                       file_.string() + ": is of another version of lightcuts-oracle");
     for (const auto& [name, value] : what_.items())
       if (json.at("of").at(name) != value)
-        throw InputError(fmt::format("{}: was begun with {} {}, not {}", file_.string(), name,
+        throw InputError(InputFault::inconsistent,
+                         fmt::format("{}: was begun with {} {}, not {}", file_.string(), name,
                                      json.at("of").at(name).dump(), value.dump()));
     return result_of(json.at("result"));
   } catch (const nlohmann::json::exception& e) {
     throw InputError(
+        InputFault::malformed_file,
         fmt::format("{}: is not what --resume has written: {}", file_.string(), e.what()));
   }
 }

@@ -55,12 +55,14 @@ constexpr unsigned max_threads = 1024;
 void require_writable(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (std::filesystem::is_directory(file))
-    throw InputError(file.string() + ": is a folder, not a file to write");
+    throw InputError(InputFault::unwritable_file,
+                     file.string() + ": is a folder, not a file to write");
   if (!std::filesystem::is_directory(folder))
-    throw InputError(file.string() + ": cannot be written: there is no folder " + folder.string());
+    throw InputError(InputFault::unwritable_file,
+                     file.string() + ": cannot be written: there is no folder " + folder.string());
   const bool exists = std::filesystem::exists(file);
   if (::access((exists ? file : folder).c_str(), W_OK) != 0)
-    throw InputError(file.string() + ": cannot be written");
+    throw InputError(InputFault::unwritable_file, file.string() + ": cannot be written");
 }
 
 /// The scene's own lights give way to a cloud; where they are clamped stays.
@@ -93,7 +95,7 @@ Scene opened(const CommonOptions& options) {
   try {
     make_lights(options, scene);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", options.scene, error.what()));
+    throw InputError(error.fault(), fmt::format("{}: {}", options.scene, error.what()));
   }
   validate(scene);
   return scene;
@@ -276,7 +278,8 @@ Scene open_scene_for(const CommonOptions& options) {
 Scene open_lit_scene_for(const CommonOptions& options) {
   Scene scene = opened(options);
   if (scene.lights.empty())
-    throw InputError(options.scene + ": no lights; add some with --lights 1000");
+    throw InputError(InputFault::missing,
+                     options.scene + ": no lights; add some with --lights 1000");
   print_notes(scene);
   return scene;
 }

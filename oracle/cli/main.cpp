@@ -44,7 +44,8 @@ int run(int argc, char** argv) {
     return app.exit(e) == 0 ? cli::all_holds : cli::usage;
   }
   const int result = chosen();
-  if (std::fflush(stdout) != 0) throw InputError("stdout: cannot be written");
+  if (std::fflush(stdout) != 0)
+    throw InputError(InputFault::unwritable_file, "stdout: cannot be written");
   return result;
 }
 

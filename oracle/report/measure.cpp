@@ -260,7 +260,7 @@ Measurement measure(const SceneView& view, const MeasureConfig& config) {
   const LightTree tree = build(view.scene().lights, {config.seed, config.builder});
   const double build_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (tree.empty()) throw InputError(view.scene().name + ": no lights");
+  if (tree.empty()) throw InputError(InputFault::missing, view.scene().name + ": no lights");
 
   Measurement m;
   m.report = facts(view, config);

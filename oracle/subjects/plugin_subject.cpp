@@ -369,9 +369,10 @@ std::filesystem::path default_host() {
 void require_file(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw InputError(file.string() + ": no such file");
+  if (!std::filesystem::exists(status))
+    throw InputError(InputFault::unreadable_file, file.string() + ": no such file");
   if (!std::filesystem::is_regular_file(status))
-    throw InputError(file.string() + ": not a shared library");
+    throw InputError(InputFault::malformed_file, file.string() + ": not a shared library");
 }
 
 } // namespace
@@ -386,7 +387,7 @@ std::unique_ptr<Subject> plugin_subject(const std::filesystem::path& file,
   } catch (const SubjectFailure& failure) { // which begins with the file's name
     const std::string folder =
         file.string().substr(0, file.string().size() - file.filename().string().size());
-    throw InputError(folder + failure.what());
+    throw InputError(InputFault::unsupported, folder + failure.what());
   }
 }
 

@@ -30,11 +30,13 @@ std::unique_ptr<Subject> subject_named(const std::string& name, double time_limi
     if (const Mutant* found = mutant_named(full.substr(mutant.size()))) return found->subject();
   if (name.find('/') != std::string::npos || name.ends_with(".so"))
     return plugin_subject(name, {.time_limit = time_limit});
-  throw InputError(fmt::format(
-      "subject '{}' is unknown; known: lightcuts, "
-      "locally-ordered, paper, stochastic-intensity, those of 'lightcuts-oracle mutants' as "
-      "mutant:NAME, and plug-ins as ./FILE.so",
-      name));
+  throw InputError(
+      InputFault::unknown_name,
+      fmt::format(
+          "subject '{}' is unknown; known: lightcuts, "
+          "locally-ordered, paper, stochastic-intensity, those of 'lightcuts-oracle mutants' as "
+          "mutant:NAME, and plug-ins as ./FILE.so",
+          name));
 }
 
 bool is_library(const Subject& subject) { return subject.name() == library; }

@@ -58,6 +58,35 @@ TEST(OpenScene, refuses_what_it_does_not_know) {
   refuses("cloud?light=3", "cloud: parameter 'light' is unknown");
 }
 
+TEST(OpenScene, says_why_it_refuses) {
+  const TemporaryFolder folder;
+  write(folder.path / "a.obj", obj);
+  const auto refuses = [](const std::string& spec, InputFault fault) {
+    expect_fault(fault, [&] { (void)open_scene(spec); });
+  };
+  refuses("foo", InputFault::unknown_name);
+  refuses("foo.xyz", InputFault::unsupported);
+  refuses("/nowhere/a.json", InputFault::unreadable_file);
+  refuses("/nowhere/a.obj", InputFault::unreadable_file);
+  refuses("cloud?lights=0", InputFault::out_of_domain);
+  const auto refuses_json = [&](const std::string& text, InputFault fault) {
+    write(folder.path / "a.json", text);
+    refuses((folder.path / "a.json").string(), fault);
+  };
+  refuses_json("{", InputFault::malformed_file);
+  refuses_json("[]", InputFault::malformed_file);
+  refuses_json("{}", InputFault::missing);
+  refuses_json(R"({"geometry": "a.obj", "colour": 1})", InputFault::unknown_name);
+  refuses_json(R"({"geometry": "a.obj", "lights": [{"position": [0, 0, 0], "intensity": -1}]})",
+               InputFault::negative);
+  // Found by a function that knows nothing of the file.
+  refuses_json(R"({"geometry": "a.obj", "lights": [{"generate": "area", "count": 3}]})",
+               InputFault::missing);
+  refuses_json(R"({"geometry": "b.obj"})", InputFault::unreadable_file);
+  write(folder.path / "b.obj", "v 0 0\n");
+  refuses((folder.path / "b.obj").string(), InputFault::malformed_file);
+}
+
 Scene valid_scene() {
   Scene scene;
   scene.name = "test";

@@ -106,6 +106,7 @@ TEST(OutputFolder, refuses_at_once_what_it_cannot_write) {
   try {
     OutputFolder(home.path / "file/out");
   } catch (const InputError& error) {
+    EXPECT_EQ(error.fault(), InputFault::unwritable_file);
     EXPECT_NE(std::string(error.what()).find("file/out"), std::string::npos) << error.what();
   }
   EXPECT_EQ(entries(home.path), 1U);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <lightcuts/core/input_error.h>
+#include <lightcuts/core/records/fields.h>
 
 namespace lightcuts {
 
@@ -21,6 +22,18 @@ void expect_refusal(const std::string& part, const Action& action) {
     return;
   }
   ADD_FAILURE() << "not refused; expected: " << part;
+}
+
+/// Expects that `action` throws an InputError for that reason.
+template <class Action>
+void expect_fault(InputFault fault, const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(name_of(error.fault()), name_of(fault)) << error.what();
+    return;
+  }
+  ADD_FAILURE() << "not refused; expected: " << name_of(fault);
 }
 
 } // namespace lightcuts

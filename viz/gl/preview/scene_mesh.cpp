@@ -65,7 +65,7 @@ SceneMesh::SceneMesh(const Scene& scene)
     : bounds_(scene_bounds(scene.mesh)), anchor_(centre(bounds_)) {
   const TriangleMesh& mesh = scene.mesh;
   if (mesh.triangles.size() > std::numeric_limits<GLsizei>::max() / 3)
-    throw InputError("too many triangles to draw");
+    throw InputError(InputFault::too_large, "too many triangles to draw");
   std::vector<Vertex> vertices;
   vertices.reserve(3 * mesh.triangles.size());
   for (const std::uint32_t triangle : sorted_by_surface(mesh)) {

@@ -95,8 +95,9 @@ void OpenedScene::open_counterexample() {
   const oracle::Counterexample& c = opened.saved.counterexample;
   opened.cut = c.on.cut;
   if (c.on.views.empty() || c.on.lights.empty())
-    throw InputError(request_.spec + ": has no shading point or no light to look at; "
-                                     "'lightcuts-oracle replay' shows its arithmetic");
+    throw InputError(InputFault::missing, request_.spec +
+                                              ": has no shading point or no light to look at; "
+                                              "'lightcuts-oracle replay' shows its arithmetic");
   subject_ = oracle::subject_named(opened.saved.subject);
   try {
     if (const auto failure = oracle::failure_of(*subject_, c.property, c.on)) {
@@ -166,8 +167,8 @@ void OpenedScene::build_tree() {
   }
   oracle::TopologyReading reading = oracle::read_topology(std::move(claim), scene_.lights.size());
   if (!reading.topology)
-    throw InputError(
-        fmt::format("{}: the subject's tree is none: {}", request_.spec, reading.defect));
+    throw InputError(InputFault::inconsistent, fmt::format("{}: the subject's tree is none: {}",
+                                                           request_.spec, reading.defect));
   topology_ = std::move(*reading.topology);
 }
 

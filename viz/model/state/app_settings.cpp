@@ -25,12 +25,13 @@ std::filesystem::path file_in(const std::filesystem::path& folder) {
 ColourMap map_named(const std::string& name) {
   for (const ColourMap map : all_colour_maps)
     if (name == name_of(map)) return map;
-  throw InputError(fmt::format("colour map '{}' is unknown", name));
+  throw InputError(InputFault::unknown_name, fmt::format("colour map '{}' is unknown", name));
 }
 
 AppSettings read(const std::string& text) {
   const Json json = Json::parse(text);
-  if (json.at("schema") != schema) throw InputError("it is of another version");
+  if (json.at("schema") != schema)
+    throw InputError(InputFault::unsupported, "it is of another version");
   AppSettings s;
   s.window_size = {std::clamp(json.at("window_size").at(0).get<int>(), 320, 16384),
                    std::clamp(json.at("window_size").at(1).get<int>(), 240, 16384)};
@@ -77,7 +78,8 @@ void save_settings(const AppSettings& s, const std::filesystem::path& folder) {
   if (folder.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder.string() + ": " + error.message());
+  if (error)
+    throw InputError(InputFault::unwritable_file, folder.string() + ": " + error.message());
   const Json json{{"schema", schema},
                   {"window_size", {s.window_size.x, s.window_size.y}},
                   {"details_share", s.details_share},

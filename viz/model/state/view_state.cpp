@@ -182,10 +182,8 @@ const std::map<std::string, Reader>& readers() {
        [](const Json& j, ViewState& s) { s.shading.threshold = number(j, 0, largest); }},
       {"max_cut",
        [](const Json& j, ViewState& s) { s.shading.max_cut = whole<std::uint32_t>(j, 1); }},
-      {"bound",
-       [](const Json& j, ViewState& s) {
-         s.shading.rules.bound = one_of<BoundRule>(j, bound_names);
-       }},
+      {"bound", [](const Json& j,
+                   ViewState& s) { s.shading.rules.bound = one_of<BoundRule>(j, bound_names); }},
       {"estimate",
        [](const Json& j, ViewState& s) {
          s.shading.rules.estimate = one_of<EstimateRule>(j, estimate_names);
@@ -226,15 +224,18 @@ Json parsed(const std::string& name, const std::string& text) {
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format("{}: is no JSON: {}", name, error.what()));
+    throw InputError(InputFault::malformed_file,
+                     fmt::format("{}: is no JSON: {}", name, error.what()));
   }
 }
 
 void require_schema(const std::string& name, const Json& json) {
   if (!json.is_object() || !json.contains("schema"))
-    throw InputError(name + ": is no state of a view: it has no \"schema\"");
+    throw InputError(InputFault::malformed_file,
+                     name + ": is no state of a view: it has no \"schema\"");
   if (json["schema"] != schema)
-    throw InputError(fmt::format("{}: /schema is {}, expected \"{}\": it is of another version",
+    throw InputError(InputFault::unsupported,
+                     fmt::format("{}: /schema is {}, expected \"{}\": it is of another version",
                                  name, json["schema"].dump(), schema));
 }
 
@@ -270,16 +271,19 @@ ViewState read_view_state(const std::string& name, const std::string& text) {
   ViewState state;
   for (const auto& [key, value] : json.items()) {
     const auto reader = readers().find(key);
-    if (reader == readers().end()) throw InputError(fmt::format("{}: /{} is unknown", name, key));
+    if (reader == readers().end())
+      throw InputError(InputFault::unknown_name, fmt::format("{}: /{} is unknown", name, key));
     try {
       reader->second(value, state);
     } catch (const Fault& fault) {
-      throw InputError(fmt::format("{}: /{} is {}: {}", name, key, value.dump(), fault.what));
+      throw InputError(InputFault::malformed_file,
+                       fmt::format("{}: /{} is {}: {}", name, key, value.dump(), fault.what));
     }
   }
-  if (state.open.spec.empty()) throw InputError(name + ": /scene is missing");
+  if (state.open.spec.empty()) throw InputError(InputFault::missing, name + ": /scene is missing");
   if (state.colours.logarithmic && !state.colours.automatic_range && state.colours.lo <= 0)
-    throw InputError(name + ": /range begins at or below 0, and is logarithmic");
+    throw InputError(InputFault::out_of_domain,
+                     name + ": /range begins at or below 0, and is logarithmic");
   return state;
 }
 
@@ -287,7 +291,7 @@ ViewState load_view_state(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::ostringstream content;
   content << stream.rdbuf();
-  if (!stream) throw InputError(file.string() + ": cannot be read");
+  if (!stream) throw InputError(InputFault::unreadable_file, file.string() + ": cannot be read");
   return read_view_state(file.string(), content.str());
 }
 

@@ -32,10 +32,13 @@ struct CutConfig {
 /// Throws InputError, naming the field: threshold and black_level are >= 0, max_size >= 1.
 inline void validate(const CutConfig& config) {
   if (!(config.threshold >= 0))
-    throw InputError("threshold: must be a number that is not negative");
+    throw InputError(fault_of(config.threshold),
+                     "threshold: must be a number that is not negative");
   if (!(config.black_level >= 0))
-    throw InputError("black_level: must be a number that is not negative");
-  if (config.max_size == 0) throw InputError("max_size: a cut has at least 1 cluster");
+    throw InputError(fault_of(config.black_level),
+                     "black_level: must be a number that is not negative");
+  if (config.max_size == 0)
+    throw InputError(InputFault::out_of_domain, "max_size: a cut has at least 1 cluster");
 }
 
 /// Why refinement ended.

@@ -33,7 +33,8 @@ public:
     require_finite(field, v);
     const double length = glm::length(glm::dvec3(v));
     if (!(std::abs(length - 1) <= 1e-5))
-      throw InputError(light_ + field + " has length " + std::to_string(length) + ", not 1");
+      throw InputError(InputFault::not_unit,
+                       light_ + field + " has length " + std::to_string(length) + ", not 1");
   }
   void require(bool holds, const char* field, float value, const char* why) const {
     if (!holds) refuse(field, value, why);
@@ -41,7 +42,7 @@ public:
 
 private:
   [[noreturn]] void refuse(const std::string& field, float value, const char* why) const {
-    throw InputError(light_ + field + " is " + number_text(value) + ", " + why);
+    throw InputError(fault_of(value), light_ + field + " is " + number_text(value) + ", " + why);
   }
   std::string light_;
 };
@@ -95,8 +96,8 @@ void LightSet::add_directional(const glm::vec3& travel, const glm::vec3& irradia
 
 void LightSet::set_min_distance(float min_distance) {
   if (!(min_distance > 0 && std::isfinite(min_distance)))
-    throw InputError("min_distance is " + number_text(min_distance) +
-                     ", expected a finite number above 0");
+    throw InputError(fault_of(min_distance), "min_distance is " + number_text(min_distance) +
+                                                 ", expected a finite number above 0");
   min_distance_ = min_distance;
 }
 

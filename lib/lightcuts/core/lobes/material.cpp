@@ -12,7 +12,8 @@ namespace {
 constexpr float largest = 3.40282347e+38F;
 
 void require(bool holds, const std::string& field, float value, const char* domain) {
-  if (!holds) throw InputError(field + " is " + number_text(value) + ", expected " + domain);
+  if (!holds)
+    throw InputError(fault_of(value), field + " is " + number_text(value) + ", expected " + domain);
 }
 
 // Comparisons are written so that NaN fails, too.

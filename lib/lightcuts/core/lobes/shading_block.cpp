@@ -26,7 +26,7 @@ BlockDirections directions_of(const ShadingPoint& p) {
 } // namespace
 
 ShadingBlock::ShadingBlock(std::span<const ShadingPoint> points) {
-  if (points.empty()) throw InputError("block: has no point");
+  if (points.empty()) throw InputError(InputFault::missing, "block: has no point");
   material_ = points.front().material();
   directions_ = directions_of(points.front());
   positions_.extend(points.front().position());
@@ -35,7 +35,8 @@ ShadingBlock::ShadingBlock(std::span<const ShadingPoint> points) {
 
 void ShadingBlock::add(const ShadingPoint& point) {
   if (!cover(material_.lobe, point.material().lobe))
-    throw InputError("block: its points' lobes differ in more than reflectance");
+    throw InputError(InputFault::inconsistent,
+                     "block: its points' lobes differ in more than reflectance");
   material_.diffuse = glm::max(material_.diffuse, point.material().diffuse);
   positions_.extend(point.position());
   const BlockDirections own = directions_of(point);

@@ -17,16 +17,16 @@ double length(const glm::vec3& v) { return glm::length(glm::dvec3(v)); }
 void require_finite(const glm::vec3& v, const char* name) {
   for (int axis = 0; axis < 3; ++axis)
     if (!std::isfinite(v[axis]))
-      throw InputError(std::string("shading point: ") + name + "." + "xyz"[axis] +
-                       " is not a finite number");
+      throw InputError(InputFault::not_finite, std::string("shading point: ") + name + "." +
+                                                   "xyz"[axis] + " is not a finite number");
 }
 
 void require_unit(const glm::vec3& v, const char* name) {
   require_finite(v, name);
   const double l = length(v);
   if (!(std::abs(l - 1) <= 1e-5))
-    throw InputError(std::string("shading point: ") + name + " has length " + std::to_string(l) +
-                     ", not 1");
+    throw InputError(InputFault::not_unit, std::string("shading point: ") + name + " has length " +
+                                               std::to_string(l) + ", not 1");
 }
 
 glm::vec3 mirrored(const glm::dvec3& n, const glm::dvec3& o) {

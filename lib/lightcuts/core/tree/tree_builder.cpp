@@ -24,7 +24,8 @@ std::optional<Builder> builder_named(std::string_view name) {
 LightTree build(const LightSet& lights, const BuildConfig& config) {
   if (lights.empty()) return {};
   if (lights.size() > (std::size_t(1) << 31))
-    throw InputError("more than 2^31 lights: a tree node's index has 32 bits");
+    throw InputError(InputFault::too_large,
+                     "more than 2^31 lights: a tree node's index has 32 bits");
   Dendrogram record(lights, config);
   record.leave_if_cancelled();
   std::vector<Cluster> roots;

@@ -22,54 +22,63 @@ bool is_finite(const glm::vec3& v) {
 }
 
 void validate(const TriangleMesh& mesh, std::size_t surfaces) {
-  if (mesh.triangles.empty()) throw InputError("no triangles");
+  if (mesh.triangles.empty()) throw InputError(InputFault::missing, "no triangles");
   if (mesh.normals.size() != mesh.positions.size())
     throw InputError(
+        InputFault::inconsistent,
         fmt::format("{} normals for {} positions", mesh.normals.size(), mesh.positions.size()));
   if (mesh.surface.size() != mesh.triangles.size())
-    throw InputError(fmt::format("{} surface indices for {} triangles", mesh.surface.size(),
+    throw InputError(InputFault::inconsistent,
+                     fmt::format("{} surface indices for {} triangles", mesh.surface.size(),
                                  mesh.triangles.size()));
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     if (!is_finite(mesh.positions[i]))
-      throw InputError(fmt::format("position {} is not finite", i));
+      throw InputError(InputFault::not_finite, fmt::format("position {} is not finite", i));
     const double length = glm::length(glm::dvec3(mesh.normals[i]));
     // Ten times the rounding of three floats; NaN fails too.
     if (!(length == 0 || std::abs(length - 1) <= 1e-6))
-      throw InputError(fmt::format("normal {} has length {}, expected 0 or 1", i, length));
+      throw InputError(std::isfinite(length) ? InputFault::not_unit : InputFault::not_finite,
+                       fmt::format("normal {} has length {}, expected 0 or 1", i, length));
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (int corner = 0; corner < 3; ++corner)
       if (mesh.triangles[i][corner] >= mesh.positions.size())
-        throw InputError(fmt::format("triangle {} uses position {} of {}", i,
+        throw InputError(InputFault::inconsistent,
+                         fmt::format("triangle {} uses position {} of {}", i,
                                      mesh.triangles[i][corner], mesh.positions.size()));
     if (mesh.surface[i] >= surfaces)
-      throw InputError(
-          fmt::format("triangle {} uses surface {} of {}", i, mesh.surface[i], surfaces));
+      throw InputError(InputFault::inconsistent, fmt::format("triangle {} uses surface {} of {}", i,
+                                                             mesh.surface[i], surfaces));
   }
 }
 
 void validate_uv(const TriangleMesh& mesh) {
   if (!mesh.uv.empty() && mesh.uv.size() != mesh.positions.size())
-    throw InputError(fmt::format("{} texture coordinates for {} positions", mesh.uv.size(),
+    throw InputError(InputFault::inconsistent,
+                     fmt::format("{} texture coordinates for {} positions", mesh.uv.size(),
                                  mesh.positions.size()));
   for (std::size_t i = 0; i < mesh.uv.size(); ++i)
     if (!std::isfinite(mesh.uv[i].x) || !std::isfinite(mesh.uv[i].y))
-      throw InputError(fmt::format("texture coordinate {} is not finite", i));
+      throw InputError(InputFault::not_finite,
+                       fmt::format("texture coordinate {} is not finite", i));
 }
 
 void validate_texture(const Surface& surface, const Scene& scene) {
   if (!surface.texture) return;
-  const auto refuse = [&](const std::string& why) {
-    throw InputError(fmt::format("surface '{}': {}", surface.name, why));
+  const auto refuse = [&](InputFault fault, const std::string& why) {
+    throw InputError(fault, fmt::format("surface '{}': {}", surface.name, why));
   };
   if (surface.texture->index >= scene.textures.size())
-    refuse(fmt::format("texture {} of {}", surface.texture->index, scene.textures.size()));
-  if (scene.mesh.uv.empty()) refuse("a texture, but the mesh has no texture coordinates");
+    refuse(InputFault::inconsistent,
+           fmt::format("texture {} of {}", surface.texture->index, scene.textures.size()));
+  if (scene.mesh.uv.empty())
+    refuse(InputFault::missing, "a texture, but the mesh has no texture coordinates");
   const auto* metal = std::get_if<CookTorrance>(&surface.material.lobe);
   for (int c = 0; c < 3; ++c) {
     const float part = surface.texture->tinted_f0[c], all = metal ? metal->f0[c] : 0;
     if (!(part >= 0 && part <= all))
-      refuse(fmt::format("tinted_f0.{} is {}, expected 0 to {}", "rgb"[c], part, all));
+      refuse(fault_of(part),
+             fmt::format("tinted_f0.{} is {}, expected 0 to {}", "rgb"[c], part, all));
   }
 }
 
@@ -77,11 +86,12 @@ void validate(const Surface& surface) {
   try {
     validate(surface.material);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("surface '{}': {}", surface.name, error.what()));
+    throw InputError(error.fault(), fmt::format("surface '{}': {}", surface.name, error.what()));
   }
   for (int c = 0; c < 3; ++c)
     if (!std::isfinite(surface.emission[c]) || surface.emission[c] < 0)
-      throw InputError(fmt::format("surface '{}': emission.{} is {}, out of its domain",
+      throw InputError(fault_of(surface.emission[c]),
+                       fmt::format("surface '{}': emission.{} is {}, out of its domain",
                                    surface.name, "rgb"[c], surface.emission[c]));
 }
 
@@ -92,11 +102,12 @@ void check(const Scene& scene) {
     validate(surface);
     validate_texture(surface, scene);
   }
-  const std::string fault = camera_fault(scene.camera);
-  if (!fault.empty()) throw InputError("camera: " + fault);
+  if (const auto fault = camera_fault(scene.camera))
+    throw InputError(fault->cause, "camera: " + fault->what);
   for (int side = 0; side < 2; ++side)
     if (scene.image_size[side] < 1 || scene.image_size[side] > max_image_side)
-      throw InputError(fmt::format("image {} is {}, expected 1 to {}", side ? "height" : "width",
+      throw InputError(InputFault::out_of_domain,
+                       fmt::format("image {} is {}, expected 1 to {}", side ? "height" : "width",
                                    scene.image_size[side], max_image_side));
 }
 
@@ -108,34 +119,37 @@ Scene read(const std::string& spec) {
   if (extension == ".obj" || extension == ".gltf" || extension == ".glb") return import_model(file);
   if (spec.find_first_of("./") == std::string::npos)
     return make_builtin(spec); // says what is known
-  throw InputError(fmt::format("{}: unknown kind of scene '{}'; known: a built-in name, .json, "
+  throw InputError(InputFault::unsupported,
+                   fmt::format("{}: unknown kind of scene '{}'; known: a built-in name, .json, "
                                ".obj, .gltf, .glb",
                                spec, file.extension().string()));
 }
 
 } // namespace
 
-std::string camera_fault(const Camera& camera) {
-  if (!is_finite(camera.position)) return "position is not finite";
-  if (!is_finite(camera.target)) return "target is not finite";
-  if (!is_finite(camera.up)) return "up is not finite";
+std::optional<CameraFault> camera_fault(const Camera& camera) {
+  using enum InputFault;
+  if (!is_finite(camera.position)) return {{not_finite, "position is not finite"}};
+  if (!is_finite(camera.target)) return {{not_finite, "target is not finite"}};
+  if (!is_finite(camera.up)) return {{not_finite, "up is not finite"}};
   if (!(camera.vertical_fov > 0 && camera.vertical_fov < 180))
-    return fmt::format("fov is {}, expected more than 0 and less than 180 degrees",
-                       camera.vertical_fov);
-  if (camera.position == camera.target) return "position equals target";
-  if (camera.up == glm::vec3(0)) return "up is zero";
+    return {{fault_of(camera.vertical_fov),
+             fmt::format("fov is {}, expected more than 0 and less than 180 degrees",
+                         camera.vertical_fov)}};
+  if (camera.position == camera.target) return {{inconsistent, "position equals target"}};
+  if (camera.up == glm::vec3(0)) return {{out_of_domain, "up is zero"}};
   const glm::dvec3 view = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
   // Below this sine the image's horizontal is lost in the rounding of floats.
   if (glm::length(glm::cross(view, glm::normalize(glm::dvec3(camera.up)))) < 1e-6)
-    return "up is parallel to the view";
-  return {};
+    return {{inconsistent, "up is parallel to the view"}};
+  return std::nullopt;
 }
 
 void validate(const Scene& scene) {
   try {
     check(scene);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", scene.name, error.what()));
+    throw InputError(error.fault(), fmt::format("{}: {}", scene.name, error.what()));
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& why) {
-  throw InputError(path.string() + ": " + why);
+  throw InputError(InputFault::unwritable_file, path.string() + ": " + why);
 }
 
 void check(const std::error_code& error, const fs::path& path, const char* what) {
@@ -30,7 +30,7 @@ std::string temporary_name(const fs::path& path) {
 }
 
 fs::path absolute_folder(const fs::path& folder) {
-  if (folder.empty()) throw InputError("the output folder has an empty name");
+  if (folder.empty()) throw InputError(InputFault::missing, "the output folder has an empty name");
   std::error_code error;
   const fs::path absolute = fs::absolute(folder, error).lexically_normal();
   check(error, folder, "cannot be used");

@@ -18,9 +18,10 @@ inline std::string read_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   // A folder opens, but does not read.
   if (!in || std::filesystem::is_directory(file))
-    throw InputError(fmt::format("{}: cannot open", file.string()));
+    throw InputError(InputFault::unreadable_file, fmt::format("{}: cannot open", file.string()));
   std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw InputError(fmt::format("{}: cannot read", file.string()));
+  if (in.bad())
+    throw InputError(InputFault::unreadable_file, fmt::format("{}: cannot read", file.string()));
   return text;
 }
 

@@ -55,7 +55,8 @@ void cover(const Scene& scene, std::uint32_t index, std::uint32_t count, std::ui
 void add_area_lights(Scene& scene, const AreaLights& config) {
   require_within("area lights", "count", config.count, 1, AreaLights::max_count);
   const Emitters emitters = find_emitters(scene);
-  if (emitters.triangles.empty()) throw InputError("area lights: no surface emits light");
+  if (emitters.triangles.empty())
+    throw InputError(InputFault::missing, "area lights: no surface emits light");
   const std::vector<std::uint32_t> counts = apportion(emitters.powers, config.count);
   double power = 0;
   LightSet made; // so that a refusal adds none
@@ -65,7 +66,7 @@ void add_area_lights(Scene& scene, const AreaLights& config) {
       power += emitters.powers[i];
     }
   } catch (const InputError& error) {
-    throw InputError(fmt::format("area lights: {}", error.what()));
+    throw InputError(error.fault(), fmt::format("area lights: {}", error.what()));
   }
   append(made, scene.lights);
   scene.notes.push_back(fmt::format("{} from {}, {:.4g} W", counted(made.size(), "area light"),

@@ -12,8 +12,8 @@ namespace lightcuts {
 inline void require_within(const char* what, const char* field, std::uint64_t value,
                            std::uint64_t least, std::uint64_t most) {
   if (value < least || value > most)
-    throw InputError(
-        fmt::format("{}: {} is {}, expected {} to {}", what, field, value, least, most));
+    throw InputError(InputFault::out_of_domain, fmt::format("{}: {} is {}, expected {} to {}", what,
+                                                            field, value, least, most));
 }
 
 } // namespace lightcuts

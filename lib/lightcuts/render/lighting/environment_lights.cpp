@@ -159,7 +159,7 @@ void add_environment_lights(Scene& scene, const EnvironmentMap& map,
       total += glm::dvec3(made[made.size() - 1].intensity);
     }
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", map.name, error.what()));
+    throw InputError(error.fault(), fmt::format("{}: {}", map.name, error.what()));
   }
   append(made, scene.lights);
   scene.notes.insert(scene.notes.end(), map.notes.begin(), map.notes.end());

@@ -18,22 +18,28 @@ namespace {
 constexpr double intensity_per_squared_diagonal = 0.3;
 constexpr float margin = 0.05F;
 
-[[noreturn]] void refuse(const char* field, int axis, const char* axes, float value,
-                         const char* why) {
-  throw InputError(fmt::format("light cloud: {}.{} is {}, {}", field, axes[axis], value, why));
+[[noreturn]] void refuse(InputFault fault, const char* field, int axis, const char* axes,
+                         float value, const char* why) {
+  throw InputError(fault,
+                   fmt::format("light cloud: {}.{} is {}, {}", field, axes[axis], value, why));
 }
 
 void validate(const LightCloud& cloud) {
   if (cloud.count < 1 || cloud.count > LightCloud::max_count)
-    throw InputError(fmt::format("light cloud: count is {}, expected 1 to {}", cloud.count,
+    throw InputError(InputFault::out_of_domain,
+                     fmt::format("light cloud: count is {}, expected 1 to {}", cloud.count,
                                  LightCloud::max_count));
   for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(cloud.lo[i])) refuse("lo", i, "xyz", cloud.lo[i], "not a finite number");
-    if (!std::isfinite(cloud.hi[i])) refuse("hi", i, "xyz", cloud.hi[i], "not a finite number");
-    if (cloud.lo[i] > cloud.hi[i]) refuse("lo", i, "xyz", cloud.lo[i], "greater than hi");
+    if (!std::isfinite(cloud.lo[i]))
+      refuse(InputFault::not_finite, "lo", i, "xyz", cloud.lo[i], "not a finite number");
+    if (!std::isfinite(cloud.hi[i]))
+      refuse(InputFault::not_finite, "hi", i, "xyz", cloud.hi[i], "not a finite number");
+    if (cloud.lo[i] > cloud.hi[i])
+      refuse(InputFault::inconsistent, "lo", i, "xyz", cloud.lo[i], "greater than hi");
     const float intensity = cloud.intensity[i];
-    if (!std::isfinite(intensity)) refuse("intensity", i, "rgb", intensity, "not a finite number");
-    if (intensity < 0) refuse("intensity", i, "rgb", intensity, "negative");
+    if (!std::isfinite(intensity))
+      refuse(InputFault::not_finite, "intensity", i, "rgb", intensity, "not a finite number");
+    if (intensity < 0) refuse(InputFault::negative, "intensity", i, "rgb", intensity, "negative");
   }
 }
 
@@ -67,7 +73,8 @@ void generate(const LightCloud& cloud, LightSet& lights) {
 }
 
 LightCloud default_cloud(const TriangleMesh& mesh, std::uint32_t count, std::uint64_t seed) {
-  if (mesh.triangles.empty()) throw InputError("light cloud: the scene has no triangles");
+  if (mesh.triangles.empty())
+    throw InputError(InputFault::missing, "light cloud: the scene has no triangles");
   const Box box = scene_bounds(mesh);
   const glm::vec3 extent = 0.5F * box.hi - 0.5F * box.lo; // halves: cannot overflow
   const double diagonal = diagonal_length(box);

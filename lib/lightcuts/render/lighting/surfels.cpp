@@ -91,12 +91,12 @@ LightSet lights_of(const TriangleMesh& mesh, const std::vector<Surfel>& surfels,
 
 void add_surfels(Scene& scene, const Surfels& config) {
   require_within("surfels", "count", config.count, 1, Surfels::max_count);
-  if (scene.lights.empty()) throw InputError("surfels: no light to reflect");
+  if (scene.lights.empty()) throw InputError(InputFault::missing, "surfels: no light to reflect");
   std::vector<double> areas;
   for (std::size_t i = 0; i < scene.mesh.triangles.size(); ++i)
     areas.push_back(Triangle(scene.mesh, i).area());
   const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
-  if (!(total > 0)) throw InputError("surfels: no triangle has an area");
+  if (!(total > 0)) throw InputError(InputFault::missing, "surfels: no triangle has an area");
 
   std::vector<Surfel> surfels = scatter(scene.mesh, areas, config);
   light_up(scene, config.threads, surfels);
@@ -104,7 +104,7 @@ void add_surfels(Scene& scene, const Surfels& config) {
   try {
     made = lights_of(scene.mesh, surfels, total / config.count);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("surfels: {}", error.what()));
+    throw InputError(error.fault(), fmt::format("surfels: {}", error.what()));
   }
   append(made, scene.lights);
 

@@ -74,7 +74,7 @@ void trace_all(const Scene& scene, const VirtualPointLights& config, Tracer& tra
     powers.push_back(mean(emission.power(light)));
     total += powers.back();
   }
-  if (!(total > 0)) throw InputError("no light to start from");
+  if (!(total > 0)) throw InputError(InputFault::missing, "no light to start from");
 
   // The generators of even numbers share out, those of odd ones are the paths'.
   const auto counts = draw_stratified(powers, config.paths, Random(config.seed, 0));
@@ -101,7 +101,7 @@ void add_virtual_point_lights(Scene& scene, const VirtualPointLights& config) {
   try {
     trace_all(scene, config, tracer);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("VPLs: {}", error.what()));
+    throw InputError(error.fault(), fmt::format("VPLs: {}", error.what()));
   }
   append(tracer.lights(), scene.lights);
   std::string note = fmt::format("{} from {}, {:.4g} W", counted(tracer.lights().size(), "VPL"),

@@ -31,11 +31,13 @@ std::vector<Parameter> parameters_of(const std::string& spec) {
     const std::string item = spec.substr(begin, end - begin);
     const std::size_t equals = item.find('=');
     if (equals == std::string::npos)
-      throw InputError(fmt::format("{}: parameter '{}' has no value", scene, item));
+      throw InputError(InputFault::missing,
+                       fmt::format("{}: parameter '{}' has no value", scene, item));
     const std::string name = item.substr(0, equals);
     for (const Parameter& earlier : parameters)
       if (earlier.name == name)
-        throw InputError(fmt::format("{}: parameter '{}' is given twice", scene, name));
+        throw InputError(InputFault::inconsistent,
+                         fmt::format("{}: parameter '{}' is given twice", scene, name));
     parameters.push_back({scene, name, item.substr(equals + 1)});
     begin = end + 1;
   }
@@ -47,10 +49,12 @@ std::uint64_t whole_number(const Parameter& p, std::uint64_t least, std::uint64_
   const char* end = p.value.data() + p.value.size();
   const auto [stop, error] = std::from_chars(p.value.data(), end, number);
   if (error == std::errc::invalid_argument || stop != end)
-    throw InputError(fmt::format("{}: parameter '{}' is '{}', expected a whole number", p.scene,
+    throw InputError(InputFault::out_of_domain,
+                     fmt::format("{}: parameter '{}' is '{}', expected a whole number", p.scene,
                                  p.name, p.value));
   if (error != std::errc{} || number < least || number > most)
-    throw InputError(fmt::format("{}: parameter '{}' is {}, expected {} to {}", p.scene, p.name,
+    throw InputError(InputFault::out_of_domain,
+                     fmt::format("{}: parameter '{}' is {}, expected {} to {}", p.scene, p.name,
                                  p.value, least, most));
   return number;
 }
@@ -59,7 +63,8 @@ std::uint64_t whole_number(const Parameter& p, std::uint64_t least, std::uint64_
 std::size_t choice(const Parameter& p, const std::vector<const char*>& values) {
   const auto found = std::find(values.begin(), values.end(), p.value);
   if (found == values.end())
-    throw InputError(fmt::format("{}: parameter '{}' is '{}', expected one of {}", p.scene, p.name,
+    throw InputError(InputFault::unknown_name,
+                     fmt::format("{}: parameter '{}' is '{}', expected one of {}", p.scene, p.name,
                                  p.value, fmt::join(values, ", ")));
   return std::size_t(found - values.begin());
 }
@@ -69,7 +74,8 @@ float metres(const Parameter& p) {
   const char* end = p.value.data() + p.value.size();
   const auto [stop, error] = std::from_chars(p.value.data(), end, number);
   if (error != std::errc{} || stop != end || !(number > 0) || std::isinf(number))
-    throw InputError(fmt::format("{}: parameter '{}' is '{}', expected a number above 0", p.scene,
+    throw InputError(fault_of(number),
+                     fmt::format("{}: parameter '{}' is '{}', expected a number above 0", p.scene,
                                  p.name, p.value));
   return number;
 }
@@ -109,6 +115,7 @@ CloudScene cloud_of(const std::string& spec) {
       cloud.seed = whole_number(p, 0, std::numeric_limits<std::uint64_t>::max());
     else
       throw InputError(
+          InputFault::unknown_name,
           fmt::format("{}: parameter '{}' is unknown; known: lights, blocks, material, "
                       "kind, clamp, seed",
                       p.scene, p.name));
@@ -119,6 +126,7 @@ CloudScene cloud_of(const std::string& spec) {
 void refuse_parameters(const std::string& spec) {
   for (const Parameter& p : parameters_of(spec))
     throw InputError(
+        InputFault::unknown_name,
         fmt::format("{}: parameter '{}' is unknown; the scene takes none", p.scene, p.name));
 }
 
@@ -154,7 +162,8 @@ Scene make_builtin(const std::string& spec) {
     std::string known;
     for (const BuiltinScene& scene : builtin_scenes())
       known += (known.empty() ? "" : ", ") + scene.name;
-    throw InputError(fmt::format("unknown built-in scene '{}'; known: {}", name_of(spec), known));
+    throw InputError(InputFault::unknown_name,
+                     fmt::format("unknown built-in scene '{}'; known: {}", name_of(spec), known));
   }
   Scene scene = make(spec);
   scene.name = spec;

@@ -54,11 +54,12 @@ glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double share) {
 Texture::Texture(glm::uvec2 size, std::vector<glm::vec3> texels)
     : size_(size), texels_(std::move(texels)) {
   if (size.x < 1 || size.y < 1 || size.x > max_texture_side || size.y > max_texture_side)
-    throw InputError(fmt::format("a texture of {} x {} texels, expected 1 to {} on a side", size.x,
+    throw InputError(InputFault::out_of_domain,
+                     fmt::format("a texture of {} x {} texels, expected 1 to {} on a side", size.x,
                                  size.y, max_texture_side));
   if (texels_.size() != std::size_t{size.x} * size.y)
-    throw InputError(
-        fmt::format("{} texels for a texture of {} x {}", texels_.size(), size.x, size.y));
+    throw InputError(InputFault::inconsistent, fmt::format("{} texels for a texture of {} x {}",
+                                                           texels_.size(), size.x, size.y));
   for (glm::vec3& texel : texels_) {
     const glm::vec3 kept(in_domain(texel.x), in_domain(texel.y), in_domain(texel.z));
     if (texel == kept) continue; // NaN differs

@@ -12,7 +12,7 @@ namespace {
 
 void require_finite(const glm::vec3& v, const char* field) {
   if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-    throw InputError(std::string("camera: ") + field + " is not finite");
+    throw InputError(InputFault::not_finite, std::string("camera: ") + field + " is not finite");
 }
 
 void validate(const Camera& camera, glm::uvec2 size) {
@@ -20,14 +20,16 @@ void validate(const Camera& camera, glm::uvec2 size) {
   require_finite(camera.target, "target");
   require_finite(camera.up, "up");
   if (!(camera.vertical_fov > 0 && camera.vertical_fov < 180))
-    throw InputError("camera: vertical_fov lies outside (0, 180) degrees");
-  if (size.x == 0 || size.y == 0) throw InputError("camera: the image has no pixels");
+    throw InputError(fault_of(camera.vertical_fov),
+                     "camera: vertical_fov lies outside (0, 180) degrees");
+  if (size.x == 0 || size.y == 0)
+    throw InputError(InputFault::out_of_domain, "camera: the image has no pixels");
 }
 
 // Squares of floats neither over- nor underflow in double, so only a true zero has length 0.
-glm::dvec3 unit(const glm::dvec3& v, const char* message) {
+glm::dvec3 unit(const glm::dvec3& v, InputFault fault, const char* message) {
   const double length = glm::length(v);
-  if (length == 0) throw InputError(message);
+  if (length == 0) throw InputError(fault, message);
   return v / length;
 }
 
@@ -36,11 +38,13 @@ glm::dvec3 unit(const glm::dvec3& v, const char* message) {
 PinholeView::PinholeView(const Camera& camera, glm::uvec2 size) : origin_(camera.position) {
   validate(camera, size);
   const glm::dvec3 forward = unit(glm::dvec3(camera.target) - glm::dvec3(camera.position),
-                                  "camera: position and target coincide");
-  const glm::dvec3 up = unit(glm::dvec3(camera.up), "camera: up is zero");
+                                  InputFault::inconsistent, "camera: position and target coincide");
+  const glm::dvec3 up =
+      unit(glm::dvec3(camera.up), InputFault::out_of_domain, "camera: up is zero");
   const glm::dvec3 side = glm::cross(forward, up);
   // forward and up carry a few roundings of 2^-53: a sine below 2^-48 is not told from 0.
-  if (glm::length(side) < 0x1p-48) throw InputError("camera: up is parallel to the view");
+  if (glm::length(side) < 0x1p-48)
+    throw InputError(InputFault::inconsistent, "camera: up is parallel to the view");
   const glm::dvec3 right = glm::normalize(side);
   const glm::dvec3 down = glm::cross(forward, right);
 

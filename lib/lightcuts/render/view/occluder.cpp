@@ -39,11 +39,13 @@ bool is_near(const glm::vec3& scaled_origin) { return largest_component(scaled_o
 void validate(const TriangleMesh& mesh) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
     if (!is_finite(mesh.positions[i]))
-      throw InputError("mesh: position " + std::to_string(i) + " is not finite");
+      throw InputError(InputFault::not_finite,
+                       "mesh: position " + std::to_string(i) + " is not finite");
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (mesh.triangles[i][k] >= mesh.positions.size())
-        throw InputError("mesh: triangle " + std::to_string(i) + " has an index out of range");
+        throw InputError(InputFault::inconsistent,
+                         "mesh: triangle " + std::to_string(i) + " has an index out of range");
 }
 
 // Whether the triangle's plane is lost in rounding: the cross product of two edges carries a few
@@ -81,7 +83,9 @@ struct Occluder::Embree {
   void check(const char* step) const {
     const RTCError error = rtcGetDeviceError(device.get());
     if (error != RTC_ERROR_NONE)
-      throw InputError(std::string("Embree: ") + step + " failed, error " + std::to_string(error));
+      throw InputError(error == RTC_ERROR_OUT_OF_MEMORY ? InputFault::too_large
+                                                        : InputFault::unsupported,
+                       std::string("Embree: ") + step + " failed, error " + std::to_string(error));
   }
   void fill(RTCGeometry geometry, const TriangleMesh& mesh) const;
 };

@@ -44,10 +44,13 @@ Table make_table(ColourMap map) {
 }
 
 void validate(const HeatMapScale& scale, const std::filesystem::path& file) {
-  if (!std::isfinite(scale.lo) || !std::isfinite(scale.hi) || scale.lo > scale.hi)
-    throw InputError(file.string() + ": the colour scale needs finite lo <= hi");
+  const bool finite = std::isfinite(scale.lo) && std::isfinite(scale.hi);
+  if (!finite || scale.lo > scale.hi)
+    throw InputError(finite ? InputFault::inconsistent : InputFault::not_finite,
+                     file.string() + ": the colour scale needs finite lo <= hi");
   if (scale.logarithmic && scale.lo <= 0)
-    throw InputError(file.string() + ": a logarithmic colour scale needs lo > 0");
+    throw InputError(InputFault::out_of_domain,
+                     file.string() + ": a logarithmic colour scale needs lo > 0");
 }
 
 // The strip below the picture, in pixels: a margin, the bar, a line of text.

@@ -8,37 +8,40 @@
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/render/io/open_scene.h>
 
+#include <lightcuts/render/io/images/image_file.h>
 #include <lightcuts/render/io/text.h>
 
 namespace lightcuts {
 namespace {
 
-[[noreturn]] void refuse(const std::string& file, const std::string& why) {
-  throw InputError(one_line(fmt::format("{}: {}", file, why)));
+[[noreturn]] void refuse(InputFault fault, const std::string& file, const std::string& why) {
+  throw InputError(fault, one_line(fmt::format("{}: {}", file, why)));
 }
 
 void check(const std::string& file, const OIIO::ImageSpec& spec) {
   const auto side = static_cast<int>(max_image_side);
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 ||
       spec.width > side || spec.height > side)
-    refuse(file, fmt::format("{} x {} pixels, expected 1 to {} each", spec.width, spec.height,
-                             max_image_side));
+    refuse(InputFault::out_of_domain, file,
+           fmt::format("{} x {} pixels, expected 1 to {} each", spec.width, spec.height,
+                       max_image_side));
   if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
       spec.height != spec.full_height)
-    refuse(file, "is cropped: an environment map has to cover all directions");
+    refuse(InputFault::unsupported, file,
+           "is cropped: an environment map has to cover all directions");
 }
 
 } // namespace
 
 EnvironmentMap read_environment(const std::filesystem::path& file) {
   const auto input = OIIO::ImageInput::open(file.string());
-  if (!input) refuse(file.string(), OIIO::geterror());
+  if (!input) refuse(opening_fault(file), file.string(), OIIO::geterror());
   const OIIO::ImageSpec spec = input->spec();
   check(file.string(), spec);
   const auto stride = static_cast<std::size_t>(spec.nchannels);
   std::vector<float> values(spec.image_pixels() * stride);
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
-    refuse(file.string(), input->geterror());
+    refuse(InputFault::malformed_file, file.string(), input->geterror());
 
   EnvironmentMap map;
   map.name = file.string();
@@ -54,13 +57,13 @@ EnvironmentMap read_environment(const std::filesystem::path& file) {
 
 void validate(const EnvironmentMap& map) {
   if (map.radiance.empty() || map.radiance.size() != std::size_t{map.size.x} * map.size.y)
-    refuse(map.name,
+    refuse(InputFault::inconsistent, map.name,
            fmt::format("{} pixels for {} x {}", map.radiance.size(), map.size.x, map.size.y));
   for (std::size_t i = 0; i < map.radiance.size(); ++i)
     for (int c = 0; c < 3; ++c) {
       const float value = map.radiance[i][c];
       if (std::isfinite(value) && value >= 0) continue;
-      refuse(map.name,
+      refuse(fault_of(value), map.name,
              fmt::format("pixel ({}, {}): {} is {}, {}", i % map.size.x, i / map.size.x, "rgb"[c],
                          value, std::isfinite(value) ? "negative" : "not a finite number"));
     }

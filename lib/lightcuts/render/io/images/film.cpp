@@ -73,17 +73,17 @@ std::span<const float> Film::channel(std::string_view name) const {
 
 void write_exr(const Film& film, const std::filesystem::path& file) {
   if (film.pixel_count() == 0 || film.channel_names().empty())
-    throw InputError(file.string() + ": the film has no pixel or no channel");
+    throw InputError(InputFault::missing, file.string() + ": the film has no pixel or no channel");
   write_image(file, "exr", exr_spec(film), OIIO::TypeDesc::FLOAT, interleaved(film).data());
 }
 
 Film read_exr(const std::filesystem::path& file) {
   const auto input = OIIO::ImageInput::open(file.string());
-  if (!input) throw InputError(file.string() + ": " + OIIO::geterror());
+  if (!input) throw InputError(opening_fault(file), file.string() + ": " + OIIO::geterror());
   const OIIO::ImageSpec spec = input->spec();
   std::vector<float> pixels(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data()))
-    throw InputError(file.string() + ": " + input->geterror());
+    throw InputError(InputFault::malformed_file, file.string() + ": " + input->geterror());
   return film_of(spec, pixels);
 }
 

@@ -54,7 +54,7 @@ Texture read(OIIO::ImageInput& input, const OIIO::TypeDesc& type, glm::uvec2 siz
   const int channels = input.spec().nchannels < 3 ? 1 : 3;
   std::vector<Component> pixels(std::size_t{size.x} * size.y * channels);
   if (!input.read_image(0, 0, 0, channels, type, pixels.data()))
-    throw InputError(why(input.geterror()));
+    throw InputError(InputFault::malformed_file, why(input.geterror()));
   std::vector<glm::vec3> texels(std::size_t{size.x} * size.y);
   for (std::size_t i = 0; i < texels.size(); ++i)
     for (int c = 0; c < 3; ++c)
@@ -67,7 +67,8 @@ glm::uvec2 size_of(const OIIO::ImageSpec& spec) {
   constexpr int most = max_texture_side;
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 ||
       spec.width > most || spec.height > most)
-    throw InputError(fmt::format("an image of {} x {} x {} pixels, expected 1 to {} on a side",
+    throw InputError(InputFault::out_of_domain,
+                     fmt::format("an image of {} x {} x {} pixels, expected 1 to {} on a side",
                                  spec.width, spec.height, spec.depth, most));
   return {spec.width, spec.height};
 }
@@ -79,16 +80,17 @@ Texture decode_texture(std::string_view bytes, const std::string& name) {
   const auto input = extension.empty() ? nullptr : OIIO::ImageInput::create(extension);
   // A reader without proxies would look for a file.
   if (!input || !input->supports("ioproxy"))
-    throw InputError(fmt::format("unknown kind of image '{}'", extension));
+    throw InputError(InputFault::unsupported, fmt::format("unknown kind of image '{}'", extension));
   // The reader would fill the rest of such an image with grey.
   if (extension == "jpg" && bytes.find("\xff\xd9") == std::string_view::npos)
-    throw InputError("truncated: no end of image");
+    throw InputError(InputFault::malformed_file, "truncated: no end of image");
   OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
   OIIO::Filesystem::IOProxy* proxy = &memory;
   OIIO::ImageSpec spec, config;
   config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   config.attribute("oiio:UnassociatedAlpha", 1); // else colours come multiplied by alpha
-  if (!input->open(name, spec, config)) throw InputError(why(input->geterror()));
+  if (!input->open(name, spec, config))
+    throw InputError(InputFault::malformed_file, why(input->geterror()));
   const glm::uvec2 size = size_of(spec);
   if (spec.format.is_floating_point()) return read<float>(*input, OIIO::TypeDesc::FLOAT, size);
   if (spec.format.size() == 1) return read<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, size);

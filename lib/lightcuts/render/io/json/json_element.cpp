@@ -11,28 +11,30 @@
 
 namespace lightcuts {
 
-void JsonElement::refuse_as(const std::string& end) const {
+void JsonElement::refuse_as(InputFault fault, const std::string& end) const {
   // The root's path is empty; say "the file" instead.
   const bool nameless = path_.empty() && end.compare(0, 1, "/") != 0;
-  throw JsonError(one_line(fmt::format("{}: {}{}", file_, nameless ? "the whole" : path_, end)));
+  throw JsonError(fault,
+                  one_line(fmt::format("{}: {}{}", file_, nameless ? "the whole" : path_, end)));
 }
 
 void JsonElement::refuse_type(const char* expected) const {
   const std::string type = json_->type_name();
   const bool vowel = type.find_first_of("aeiou") == 0;
   const std::string article = json_->is_null() ? "" : vowel ? "an " : "a ";
-  refuse(fmt::format("is {}{}, expected {}", article, type, expected));
+  refuse(InputFault::malformed_file, fmt::format("is {}{}, expected {}", article, type, expected));
 }
 
 void JsonElement::expect_keys(const std::vector<std::string>& known) const {
   if (!json_->is_object()) refuse_type("an object");
   for (const auto& [key, value] : json_->items())
     if (std::find(known.begin(), known.end(), key) == known.end())
-      refuse_as(fmt::format("/{} is unknown; known: {}", key, fmt::join(known, ", ")));
+      refuse_as(InputFault::unknown_name,
+                fmt::format("/{} is unknown; known: {}", key, fmt::join(known, ", ")));
 }
 
 JsonElement JsonElement::operator[](const char* key) const {
-  if (!has(key)) refuse_as(fmt::format("/{} is missing", key));
+  if (!has(key)) refuse_as(InputFault::missing, fmt::format("/{} is missing", key));
   return {file_, path_ + "/" + key, json_->at(key)};
 }
 
@@ -49,7 +51,8 @@ std::size_t JsonElement::one_of(std::span<const char* const> names) const {
   const std::string text = string();
   const auto found = std::find(names.begin(), names.end(), text);
   if (found == names.end())
-    refuse(fmt::format("is '{}', expected one of {}", text, fmt::join(names, ", ")));
+    refuse(InputFault::unknown_name,
+           fmt::format("is '{}', expected one of {}", text, fmt::join(names, ", ")));
   return std::size_t(found - names.begin());
 }
 
@@ -62,9 +65,10 @@ float JsonElement::number(float least) const {
   if (!json_->is_number()) refuse_type("a number");
   const auto value = json_->get<double>();
   if (!(std::abs(value) <= std::numeric_limits<float>::max()))
-    refuse(fmt::format("is {}, out of range", value));
+    refuse(InputFault::out_of_domain, fmt::format("is {}, out of range", value));
   if (value < least)
-    refuse(least == 0 ? "is negative" : fmt::format("is {}, expected at least {}", value, least));
+    refuse(least >= 0 ? fault_of(value) : InputFault::out_of_domain,
+           least == 0 ? "is negative" : fmt::format("is {}, expected at least {}", value, least));
   return static_cast<float>(value);
 }
 
@@ -73,13 +77,15 @@ std::uint64_t JsonElement::whole_number(std::uint64_t least, std::uint64_t most)
   const bool whole = json_->is_number_unsigned();
   const std::uint64_t value = whole ? json_->get<std::uint64_t>() : 0;
   if (!whole || value < least || value > most)
-    refuse(fmt::format("is {}, expected a whole number from {} to {}", json_->dump(), least, most));
+    refuse(InputFault::out_of_domain,
+           fmt::format("is {}, expected a whole number from {} to {}", json_->dump(), least, most));
   return value;
 }
 
 glm::vec3 JsonElement::vector(float least) const {
   if (!json_->is_array()) refuse_type("a list of three numbers");
-  if (size() != 3) refuse(fmt::format("has {} elements, expected three", size()));
+  if (size() != 3)
+    refuse(InputFault::malformed_file, fmt::format("has {} elements, expected three", size()));
   return {at(0).number(least), at(1).number(least), at(2).number(least)};
 }
 
@@ -87,7 +93,7 @@ glm::vec3 JsonElement::colour() const { return is_number() ? glm::vec3(number(0)
 
 glm::vec3 JsonElement::direction() const {
   const glm::vec3 v = vector();
-  if (v == glm::vec3(0)) refuse("is zero, expected a direction");
+  if (v == glm::vec3(0)) refuse(InputFault::out_of_domain, "is zero, expected a direction");
   return glm::vec3(glm::normalize(glm::dvec3(v)));
 }
 

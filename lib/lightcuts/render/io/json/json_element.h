@@ -54,9 +54,15 @@ public:
   /// A list of three numbers.
   [[nodiscard]] glm::vec3 vector(float least = std::numeric_limits<float>::lowest()) const;
 
-  [[noreturn]] void refuse(const std::string& why) const { refuse_as(" " + why); }
-  /// The same; `end` follows the path directly.
-  [[noreturn]] void refuse_as(const std::string& end) const;
+  [[noreturn]] void refuse(InputFault fault, const std::string& why) const {
+    refuse_as(fault, " " + why);
+  }
+  /// Refuses a malformed file.
+  [[noreturn]] void refuse(const std::string& why) const {
+    refuse(InputFault::malformed_file, why);
+  }
+  /// Refuses by a message in which `end` follows the path directly.
+  [[noreturn]] void refuse_as(InputFault fault, const std::string& end) const;
 
 private:
   JsonElement(std::string file, std::string path, const nlohmann::json& json)

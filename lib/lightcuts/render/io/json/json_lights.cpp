@@ -29,12 +29,14 @@ std::uint64_t seed_of(const JsonElement& element) {
 }
 
 void set_box(const JsonElement& box, LightCloud& cloud) {
-  if (!box.is_list() || box.size() != 2) box.refuse("is not a list of two corners");
+  if (!box.is_list() || box.size() != 2)
+    box.refuse(InputFault::malformed_file, "is not a list of two corners");
   cloud.lo = box.at(0).vector();
   cloud.hi = box.at(1).vector();
   for (int axis = 0; axis < 3; ++axis)
     if (cloud.lo[axis] > cloud.hi[axis])
-      box.at(0).refuse(fmt::format("exceeds the other corner in {}", "xyz"[axis]));
+      box.at(0).refuse(InputFault::inconsistent,
+                       fmt::format("exceeds the other corner in {}", "xyz"[axis]));
 }
 
 void add_cloud(const JsonElement& element, Scene& scene) {
@@ -86,6 +88,7 @@ void add_generated(const JsonElement& element, const std::filesystem::path& fold
   if (kind == "vpl") return add_vpls(element, scene);
   if (kind == "surfels") return add_surfel_lights(element, scene);
   element["generate"].refuse(
+      InputFault::unknown_name,
       fmt::format("is '{}', expected 'cloud', 'area', 'environment', 'vpl' or 'surfels'", kind));
 }
 
@@ -97,7 +100,7 @@ void naming(const JsonElement& element, const Action& action) {
   } catch (const JsonError&) {
     throw;
   } catch (const InputError& error) {
-    element.refuse_as(fmt::format(": {}", error.what()));
+    element.refuse_as(error.fault(), fmt::format(": {}", error.what()));
   }
 }
 

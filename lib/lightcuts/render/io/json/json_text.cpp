@@ -21,7 +21,7 @@ nlohmann::json parse_json(const std::string& file, const std::string& text) {
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file, plain_message(error)));
+    throw InputError(InputFault::malformed_file, fmt::format("{}: {}", file, plain_message(error)));
   }
 }
 

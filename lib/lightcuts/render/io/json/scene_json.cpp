@@ -23,7 +23,7 @@ void load_geometry(const JsonElement& element, const std::filesystem::path& fold
     has_camera = has_camera || found;
   };
   if (!element.is_list()) return append(element);
-  if (element.size() == 0) element.refuse("is empty");
+  if (element.size() == 0) element.refuse(InputFault::missing, "is empty");
   for (std::size_t i = 0; i < element.size(); ++i) append(element.at(i));
 }
 
@@ -34,8 +34,7 @@ Camera camera_of(const JsonElement& element) {
   camera.target = element["target"].vector();
   if (element.has("up")) camera.up = element["up"].vector();
   if (element.has("fov")) camera.vertical_fov = element["fov"].number();
-  const std::string fault = camera_fault(camera);
-  if (!fault.empty()) element.refuse_as("/" + fault);
+  if (const auto fault = camera_fault(camera)) element.refuse_as(fault->cause, "/" + fault->what);
   return camera;
 }
 
@@ -48,7 +47,8 @@ glm::uvec2 image_size_of(const JsonElement& element) {
 /// Before lights are generated, some of which depend on it.
 void set_min_distance(const JsonElement& element, LightSet& lights) {
   const float distance = element.number();
-  if (!(distance > 0)) element.refuse(fmt::format("is {}, expected more than 0", distance));
+  if (!(distance > 0))
+    element.refuse(fault_of(distance), fmt::format("is {}, expected more than 0", distance));
   lights.set_min_distance(distance);
 }
 

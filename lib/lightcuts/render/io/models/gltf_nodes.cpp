@@ -31,10 +31,11 @@ std::uint32_t word_at(const std::string& bytes, std::size_t at) {
 /// The JSON chunk of a binary glTF: 12 bytes of header, length, type, text.
 std::string json_chunk(const std::string& file, const std::string& bytes) {
   if (bytes.size() < 20 || bytes.compare(0, 4, "glTF") != 0)
-    throw InputError(fmt::format("{}: not a binary glTF file", file));
+    throw InputError(InputFault::malformed_file, fmt::format("{}: not a binary glTF file", file));
   const std::size_t total = word_at(bytes, 8), length = word_at(bytes, 12);
   if (total > bytes.size() || length > bytes.size() - 20)
-    throw InputError(fmt::format("{}: truncated: {} bytes of {}", file, bytes.size(),
+    throw InputError(InputFault::malformed_file,
+                     fmt::format("{}: truncated: {} bytes of {}", file, bytes.size(),
                                  std::max(total, length + 20)));
   return bytes.substr(20, length);
 }
@@ -93,8 +94,11 @@ private:
   void visit(std::size_t index, const glm::dmat4& parent, int depth) {
     const json& node = nodes_.at(index);
     if (seen_[index])
-      throw InputError(fmt::format("{}: node {} has more than one parent", file_, index));
-    if (depth > deepest) throw InputError(fmt::format("{}: nodes are nested too deeply", file_));
+      throw InputError(InputFault::malformed_file,
+                       fmt::format("{}: node {} has more than one parent", file_, index));
+    if (depth > deepest)
+      throw InputError(InputFault::too_large,
+                       fmt::format("{}: nodes are nested too deeply", file_));
     seen_[index] = true;
     const glm::dmat4 world = parent * transform_of(node);
     if (node.contains("camera"))
@@ -156,9 +160,12 @@ void check_buffers(const std::filesystem::path& file, const json& gltf) {
     const auto expected = buffer.at("byteLength").get<std::uintmax_t>();
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file.parent_path() / uri, error);
-    if (error) throw InputError(fmt::format("{}: cannot open its buffer '{}'", file.string(), uri));
+    if (error)
+      throw InputError(InputFault::unreadable_file,
+                       fmt::format("{}: cannot open its buffer '{}'", file.string(), uri));
     if (size < expected)
-      throw InputError(fmt::format("{}: its buffer '{}' is truncated: {} bytes of {}",
+      throw InputError(InputFault::malformed_file,
+                       fmt::format("{}: its buffer '{}' is truncated: {} bytes of {}",
                                    file.string(), uri, size, expected));
   }
 }
@@ -171,11 +178,12 @@ GltfNodes read_gltf_nodes(const std::filesystem::path& file) {
   const json gltf = parse_json(file.string(), binary ? json_chunk(file.string(), bytes) : bytes);
   try {
     if (gltf.at("asset").at("version").get<std::string>().rfind("2.", 0) != 0)
-      throw InputError(fmt::format("{}: not glTF 2.0", file.string()));
+      throw InputError(InputFault::unsupported, fmt::format("{}: not glTF 2.0", file.string()));
     check_buffers(file, gltf);
     return Walker(file.string(), gltf).walk();
   } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: not glTF 2.0: {}", file.string(), plain_message(error)));
+    throw InputError(InputFault::malformed_file,
+                     fmt::format("{}: not glTF 2.0: {}", file.string(), plain_message(error)));
   }
 }
 

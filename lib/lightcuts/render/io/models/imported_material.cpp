@@ -41,7 +41,7 @@ Material from_mtl(const aiMaterial& source, const std::string& where,
 
 float unit_factor(float value, const char* name) {
   if (!(value >= 0 && value <= 1))
-    throw InputError(fmt::format("{} is {}, expected 0 to 1", name, value));
+    throw InputError(fault_of(value), fmt::format("{} is {}, expected 0 to 1", name, value));
   return value;
 }
 
@@ -68,11 +68,12 @@ Surface surface_of(const aiMaterial& source, bool is_gltf, const std::string& wh
     surface.material = is_gltf ? from_metallic_roughness(source) : from_mtl(source, where, notes);
     validate(surface.material);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", where, error.what()));
+    throw InputError(error.fault(), fmt::format("{}: {}", where, error.what()));
   }
   for (int c = 0; c < 3; ++c)
     if (!std::isfinite(surface.emission[c]) || surface.emission[c] < 0)
-      throw InputError(fmt::format("{}: emission.{} is {}, out of its domain", where, "rgb"[c],
+      throw InputError(fault_of(surface.emission[c]),
+                       fmt::format("{}: emission.{} is {}, out of its domain", where, "rgb"[c],
                                    surface.emission[c]));
   return surface;
 }

@@ -40,13 +40,13 @@ std::string percent_decoded(const std::string& uri) {
 /// The file meant: as named, or as a URI, or with a path from Windows.
 std::filesystem::path find_file(const std::filesystem::path& folder, const std::string& name,
                                 bool is_uri) {
-  if (name.empty()) throw InputError("no image in it");
+  if (name.empty()) throw InputError(InputFault::missing, "no image in it");
   std::string slashes = name;
   std::replace(slashes.begin(), slashes.end(), '\\', '/');
   std::error_code error; // a name that is too long, say: no such file
   for (const std::string& spelling : {name, is_uri ? percent_decoded(name) : slashes})
     if (std::filesystem::is_regular_file(folder / spelling, error)) return folder / spelling;
-  throw InputError("no such file");
+  throw InputError(InputFault::unreadable_file, "no such file");
 }
 
 bool is_embedded(const std::string& name) { return name.starts_with('*'); }
@@ -56,7 +56,8 @@ const aiTexture& embedded(const aiScene& source, const std::string& name) {
   unsigned index = 0;
   std::from_chars(name.data() + 1, name.data() + name.size(), index);
   if (index >= source.mNumTextures || source.mTextures[index]->mHeight != 0)
-    throw InputError("not in the file"); // a height would mean pixels, which no glTF file has
+    throw InputError(InputFault::missing,
+                     "not in the file"); // a height would mean pixels, which no glTF file has
   return *source.mTextures[index];
 }
 

@@ -45,7 +45,7 @@ public:
     const std::size_t before = scene_.mesh.triangles.size();
     visit(*source_.mRootNode, glm::dmat4(1));
     if (scene_.mesh.triangles.size() == before)
-      throw InputError(fmt::format("{}: no triangles", file_));
+      throw InputError(InputFault::missing, fmt::format("{}: no triangles", file_));
     if (!scene_.mesh.uv.empty()) resize_uv(scene_.mesh.positions.size());
     add_notes();
   }
@@ -83,6 +83,7 @@ private:
       const glm::vec3 position(glm::dvec3(world * glm::dvec4(v.x, v.y, v.z, 1)));
       if (!is_finite(position))
         throw InputError(
+            InputFault::not_finite,
             fmt::format("{}: mesh '{}': vertex {} is not finite", file_, mesh.mName.C_Str(), i));
       scene_.mesh.positions.push_back(position);
       scene_.mesh.normals.push_back(mesh.HasNormals() ? unit(normals, mesh.mNormals[i])
@@ -103,7 +104,8 @@ private:
       const aiVector3D& v = mesh.mTextureCoords[texture->uv_set][i];
       const glm::vec2 uv = texture->scale * glm::vec2(v.x, v.y) + texture->offset;
       if (!std::isfinite(uv.x) || !std::isfinite(uv.y))
-        throw InputError(fmt::format("{}: mesh '{}': texture coordinate {} is not finite", file_,
+        throw InputError(InputFault::not_finite,
+                         fmt::format("{}: mesh '{}': texture coordinate {} is not finite", file_,
                                      mesh.mName.C_Str(), i));
       scene_.mesh.uv.push_back(uv);
     }
@@ -123,7 +125,8 @@ private:
     glm::uvec3 triangle;
     for (int corner = 0; corner < 3; ++corner) {
       if (face.mIndices[corner] >= mesh.mNumVertices)
-        throw InputError(fmt::format("{}: mesh '{}': index {} is out of range", file_,
+        throw InputError(InputFault::malformed_file,
+                         fmt::format("{}: mesh '{}': index {} is out of range", file_,
                                      mesh.mName.C_Str(), face.mIndices[corner]));
       triangle[corner] = first + face.mIndices[corner];
     }
@@ -185,9 +188,10 @@ void read_meshes(const std::filesystem::path& file, bool is_gltf, Scene& scene) 
   Assimp::Importer importer;
   const aiScene* source = importer.ReadFile(file.string(), aiProcess_Triangulate);
   if (!source)
-    throw InputError(fmt::format("{}: {}", file.string(), one_line(importer.GetErrorString())));
+    throw InputError(InputFault::malformed_file,
+                     fmt::format("{}: {}", file.string(), one_line(importer.GetErrorString())));
   if (!source->mRootNode || (source->mFlags & AI_SCENE_FLAGS_INCOMPLETE))
-    throw InputError(fmt::format("{}: no triangles", file.string()));
+    throw InputError(InputFault::missing, fmt::format("{}: no triangles", file.string()));
   Collector(file, is_gltf, *source, scene).collect();
 }
 
@@ -209,7 +213,7 @@ bool apply(const GltfNodes& nodes, const std::string& file, Scene& scene) {
     try {
       add(light, scene.lights);
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", file, error.what()));
+      throw InputError(error.fault(), fmt::format("{}: {}", file, error.what()));
     }
   }
   if (nodes.orthographic > 0)
@@ -231,7 +235,8 @@ bool append_model(const std::filesystem::path& file, Scene& scene) {
     return false;
   }
   if (extension != ".gltf" && extension != ".glb")
-    throw InputError(fmt::format("{}: unknown kind of model '{}'; known: .obj, .gltf, .glb",
+    throw InputError(InputFault::unsupported,
+                     fmt::format("{}: unknown kind of model '{}'; known: .obj, .gltf, .glb",
                                  file.string(), extension));
   const GltfNodes nodes = read_gltf_nodes(file);
   read_meshes(file, true, scene);

@@ -44,7 +44,8 @@ public:
   }
 
   [[noreturn]] void refuse(const std::string& why) const {
-    throw InputError(one_line(fmt::format("{}:{}: {}", file_, number_, why)));
+    throw InputError(InputFault::malformed_file,
+                     one_line(fmt::format("{}:{}: {}", file_, number_, why)));
   }
 
   /// Whether the word is a number; refuses one beyond float's range.
@@ -174,7 +175,8 @@ std::vector<std::string> check_obj(const std::filesystem::path& file) {
   }
   for (std::size_t kind = 0; kind < 3; ++kind)
     if (indices.highest[kind] > indices.count[kind])
-      throw InputError(fmt::format("{}: a face uses {} {}, of {}", file.string(),
+      throw InputError(InputFault::malformed_file,
+                       fmt::format("{}: a face uses {} {}, of {}", file.string(),
                                    std::array{"position", "texture coordinate", "normal"}[kind],
                                    indices.highest[kind], indices.count[kind]));
   return missing;

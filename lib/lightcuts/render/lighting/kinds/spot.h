@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <lightcuts/core/input_error.h>
 #include <lightcuts/core/numerics/number_text.h>
 
 #include <lightcuts/render/lighting/kinds/kind_in_scenes.h>
@@ -16,12 +17,13 @@ struct KindInScenes<LightKind::spot> {
     light.expect_keys({"type", "position", "axis", "intensity", "inner", "outer"});
     const float outer = light["outer"].number();
     if (!(outer > 0 && outer <= 180))
-      light["outer"].refuse("is " + number_text(outer) +
-                            ", expected more than 0 and at most 180 degrees");
+      light["outer"].refuse(fault_of(outer), "is " + number_text(outer) +
+                                                 ", expected more than 0 and at most 180 degrees");
     const float inner = light.has("inner") ? light["inner"].number(0) : 0;
     if (!(radians(inner) < radians(outer)))
-      light["inner"].refuse("is " + number_text(inner) + ", expected less than outer, " +
-                            number_text(outer));
+      light["inner"].refuse(InputFault::inconsistent, "is " + number_text(inner) +
+                                                          ", expected less than outer, " +
+                                                          number_text(outer));
     lights.add_spot(light["position"].vector(), light["axis"].direction(),
                     light["intensity"].colour(), radians(inner), radians(outer));
   }
