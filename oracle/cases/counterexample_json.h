@@ -29,14 +29,14 @@ struct SavedCounterexample {
 /// use is left out, and so is what is optional and has its default value: see the records' fields.
 [[nodiscard]] std::string counterexample_json(const SavedCounterexample& saved);
 
-/// Reads what counterexample_json() gives, or a number for a hexadecimal string; decimals are
-/// ignored. Throws InputError that names `name` and the path in it, as `a.json:
-/// /case/lights/3/position/0 is "abc", expected a finite float such as "0x1.8p+1"`, where anything
-/// is missing, unknown or out of its domain: a case so read is valid.
+/// Reads that; decimals beside are ignored, and a number will do for a hexadecimal string. Throws
+/// InputError that names `name` and the path in it, as `a.json: /case/lights/3/position/0 is
+/// "abc", expected a finite float such as "0x1.8p+1"`, where anything is missing, unknown or out of
+/// its domain: a case so read is valid.
 [[nodiscard]] SavedCounterexample read_counterexample(const std::string& name,
                                                       const std::string& text);
 
-/// read_counterexample() of a file, by its name. Throws InputError where it cannot be read, too.
+/// The same of a file.
 [[nodiscard]] SavedCounterexample load_counterexample(const std::filesystem::path& file);
 
 } // namespace lightcuts::oracle

@@ -18,7 +18,7 @@ public:
                      const oracle::Counterexample& found, const std::filesystem::path& folder,
                      const std::string& name = {});
 
-  /// For readers: what is wrong, on how small a case, and the command that replays the file.
+  /// What is wrong, on how little, and the command that replays it.
   [[nodiscard]] std::string text() const;
   [[nodiscard]] nlohmann::ordered_json json() const;
 

@@ -66,7 +66,7 @@ TEST_F(ReplayCommand, PrintsATest) {
 TEST(Replay, FailsForWhatMutantsSaves) {
   for (const std::string name : {"one-number-for-all", "resampled-between", "metric-difference"}) {
     const OracleProcess oracle;
-    EXPECT_EQ(oracle.run({"mutants", name, "--cases", "1000", "--out", "."}).exit_code, 0);
+    EXPECT_EQ(oracle.run({"mutants", name, "--cases", "5000", "--out", "."}).exit_code, 0);
     const Outcome outcome = oracle.run({"replay", "counterexample-" + name + ".json"});
     EXPECT_EQ(outcome.exit_code, 1) << name << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("is still violated by " + name));

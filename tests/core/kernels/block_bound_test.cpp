@@ -52,7 +52,8 @@ BlockCase block_case(std::uint64_t seed) {
     for (int k = 0; k < 3; ++k) v.position[k] += apart * float(dice.uniform(-1, 1));
     v.normal = turned(dice, v.normal, bent);
     v.to_viewer = turned(dice, v.to_viewer, bent);
-    v.material.diffuse *= float(dice.uniform(0, 2));
+    v.material.diffuse =
+        glm::min(v.material.diffuse * float(dice.uniform(0, 2)), glm::vec3(0x1p127F));
     c.views.push_back(v);
   }
   return c;
@@ -80,8 +81,10 @@ RC_GTEST_PROP(BlockBound, DominatesTheTruthOfEachPoint, ()) {
   RC_ASSERT(violations(c, ShadingBlock(c.points())) == 0);
 }
 
-RC_GTEST_PROP(BlockBound, DominatesTheBoundOfEachPoint, ()) {
-  const BlockCase c = block_case(*rc::gen::arbitrary<std::uint64_t>());
+// Of lobes a block takes angles where a point takes quicker bounds, which may be looser.
+RC_GTEST_PROP(BlockBound, OfDiffuseSurfacesDominatesTheBoundOfEachPoint, ()) {
+  BlockCase c = block_case(*rc::gen::arbitrary<std::uint64_t>());
+  for (gen::View& v : c.views) v.material.lobe = NoLobe();
   const LightTree tree = build(c.scene.light_set());
   const std::vector<ShadingPoint> points = c.points();
   const ShadingBlock block(points);

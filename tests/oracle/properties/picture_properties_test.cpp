@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <lightcuts/render/view/renderer.h>
 #include <tests/oracle/support/made_subject.h>
 
 namespace lightcuts::oracle {
@@ -30,8 +31,8 @@ Case floor_case(bool roof) {
   c.views.resize(1);
   c.views[0].view.material = {glm::vec3(0.5F), {}};
   const glm::vec3 a(-4, 0, 4), b(4, 0, 4), d(4, 0, -4), e(-4, 0, -4);
-  c.triangles = {{{a, b, d}, 0}, {{a, d, e}, 0}};
-  if (roof) c.triangles.push_back({{{{0, 1, 1}, {2, 1, 1}, {1, 1, -1}}}, 1});
+  c.triangles = {{a, b, d, 0}, {a, d, e, 0}};
+  if (roof) c.triangles.push_back({{0, 1, 1}, {2, 1, 1}, {1, 1, -1}, 1});
   c.camera = {{0, 6, 1}, glm::vec3(0), {0, 1, 0}, 40};
   c.image_size = {6, 5};
   return c;

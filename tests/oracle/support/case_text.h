@@ -31,7 +31,7 @@ inline std::string text_of(const Case& c) {
   }
   for (const CaseTriangle& t : c.triangles) {
     out << t.mesh << '\n';
-    for (const glm::vec3& corner : t.corners) say(corner);
+    for (const glm::vec3& corner : {t.a, t.b, t.c}) say(corner);
   }
   say({c.min_distance, c.cut.threshold, c.cut.black_level});
   say(c.camera.position);

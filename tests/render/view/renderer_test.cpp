@@ -151,7 +151,8 @@ double rmse(const std::vector<glm::dvec3>& a, const std::vector<glm::vec3>& b) {
 TEST(Renderer, ConvergesToTheReferenceByTheMeanOverSeeds) {
   const Room room;
   const Rendering reference = room.rendered({.method = methods::reference});
-  for (const Method method : {methods::stochastic, methods::stochastic_intensity}) {
+  for (const Method method :
+       std::initializer_list<Method>{methods::stochastic, methods::stochastic_intensity}) {
     constexpr int n = 64;
     std::vector<glm::dvec3> sum(reference.radiance.size(), glm::dvec3(0));
     double of_one = 0, brightness = 0, brightness2 = 0;
@@ -186,7 +187,8 @@ TEST(Renderer, SumsLightsWhereTheTreeIsLeftOut) {
 TEST(Renderer, LeavesPixelsWithoutASurfaceBlack) {
   const Scene scene = square();
   const SceneView view(scene);
-  for (const Method method : {methods::reference, methods::lightcuts}) {
+  for (const Method method :
+       std::initializer_list<Method>{methods::reference, methods::lightcuts}) {
     const Rendering r = render(view, build(scene.lights), {.method = method});
     std::uint64_t surface = 0;
     for (unsigned y = 0; y < view.size().y; ++y)

@@ -156,7 +156,7 @@ TEST(Inspect, SharesOutWhatTheThresholdAllows) {
 }
 
 TEST(Inspect, OfAStepIsTheCutOfThatSize) {
-  for (const Method method : {methods::lightcuts, methods::paper}) {
+  for (const Method method : std::initializer_list<Method>{methods::lightcuts, methods::paper}) {
     const Inspection final = inspect({small_key(method), some_pixels[0], {}});
     ASSERT_GT(final.final_size, 8U);
     ASSERT_LT(final.final_size, 200U);

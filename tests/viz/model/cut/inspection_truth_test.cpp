@@ -6,8 +6,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <viz/model/picture/truth_picture.h>
 #include <oracle/truth/truth.h>
+#include <viz/model/picture/truth_picture.h>
 
 #include <tests/viz/support/small_pictures.h>
 
@@ -94,8 +94,9 @@ TEST(RefinementCurve, HasEverySizeWhereThereIsRoomAndNoneWhereItIsCancelled) {
 
 TEST(RowOf, IsTheCutsOwnRowForEveryClusterOfIt) {
   std::size_t hidden = 0;
-  for (const Method method : {methods::lightcuts, methods::reference, methods::paper, methods::unscaled,
-                              methods::no_specular_bound})
+  for (const Method method :
+       std::initializer_list<Method>{methods::lightcuts, methods::reference, methods::paper,
+                                     methods::unscaled, methods::no_specular_bound})
     for (unsigned i = 0; i < 32 * 24; i += 5) {
       const InspectionKey key{small_key(method), {i % 32, i / 32}, {}};
       for (const ClusterRow& expected : inspect(key).clusters) {

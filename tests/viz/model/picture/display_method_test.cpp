@@ -21,7 +21,7 @@ TEST(DisplayMethod, IsEachOfTheLibrarysOrThePreview) {
     EXPECT_EQ(display.method(), method);
     EXPECT_NE(std::find(std::begin(all_displays), std::end(all_displays), display),
               std::end(all_displays));
-    EXPECT_STREQ(name_of(display), lightcuts::method->name);
+    EXPECT_STREQ(name_of(display), method->name);
   }
 }
 

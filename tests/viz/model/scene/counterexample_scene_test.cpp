@@ -69,7 +69,7 @@ TEST(SceneOfCase, IsThatOfTheViewAskedFor) {
 
 TEST(SceneOfCase, HasTheCasesOwnTrianglesAndCamera) {
   oracle::Case on = simple_case();
-  on.triangles.push_back({{glm::vec3(-9, 0, -9), glm::vec3(9, 0, -9), glm::vec3(0, 0, 9)}, 0});
+  on.triangles.push_back({{-9, 0, -9}, {9, 0, -9}, {0, 0, 9}, 0});
   on.camera = {{0, 4, 1}, {0, 0, 0}, {0, 1, 0}, 40};
   on.image_size = {12, 10};
   const Scene scene = scene_of_case(on, 0);
