@@ -67,7 +67,7 @@ void add_out_option(CLI::App& command, CommonOptions& options);
 /// A CLI11 check: what is wrong with the text as a threshold, or nothing.
 [[nodiscard]] std::string check_threshold(const std::string& text);
 
-/// The same for a number that parse_count() reads.
+/// A CLI11 check: what is wrong with the text as a number for parse_count(), or nothing.
 [[nodiscard]] std::string check_count(const std::string& text);
 
 /// A CLI11 check: what is wrong with the text as a number above 0, or nothing.
@@ -81,7 +81,7 @@ void require_writable_json(const CommonOptions& options);
 /// where --json cannot be written; says on stderr what the reader of the scene noted.
 [[nodiscard]] Scene open_scene_for(const CommonOptions& options);
 
-/// The same for commands that cannot do without light: throws InputError where there is none.
+/// open_scene_for(), for commands that need light: throws InputError where there is none, too.
 [[nodiscard]] Scene open_lit_scene_for(const CommonOptions& options);
 
 /// Adds --cases to the commands that check; its default is what options.cases is.

@@ -18,7 +18,7 @@ public:
                      const oracle::Counterexample& found, const std::filesystem::path& folder,
                      const std::string& name = {});
 
-  /// What is wrong, on how little, and the command that replays it.
+  /// For readers: what is wrong, on how small a case, and the command that replays the file.
   [[nodiscard]] std::string text() const;
   [[nodiscard]] nlohmann::ordered_json json() const;
 

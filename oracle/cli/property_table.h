@@ -14,7 +14,7 @@ namespace lightcuts::cli {
 [[nodiscard]] std::string property_table(const oracle::Tally& tally,
                                          const oracle::Subject& subject);
 
-/// The same as a list.
+/// Cases, violations, worst ratio and first violation of each property, as a JSON list.
 [[nodiscard]] nlohmann::ordered_json properties_json(const oracle::Tally& tally);
 
 /// all_holds or violated: waste alone is a failure of the library, but of nobody else.

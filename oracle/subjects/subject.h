@@ -25,7 +25,7 @@ class LightTree;
 
 namespace lightcuts::oracle {
 
-/// What of an implementation can be judged; one bit each.
+/// Parts of an implementation that are judged separately; one bit each.
 enum class Part : unsigned {
   bounds = 1,            ///< SubjectTree::bound()
   lower_bounds = 2,      ///< SubjectTree::lower_bound()
@@ -42,7 +42,7 @@ using Parts = unsigned;
 [[nodiscard]] constexpr Parts only(Part part) { return unsigned(part); }
 [[nodiscard]] constexpr bool has(Parts parts, Part part) { return (parts & only(part)) != 0; }
 [[nodiscard]] const char* name_of(Part part);
-/// Names of all that are not among them.
+/// Names of the parts that are not in the set.
 [[nodiscard]] std::vector<std::string> names_without(Parts parts);
 
 /// A light drawn from a cluster.
@@ -57,40 +57,41 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// A light tree that a subject built, for one thread. Functions outside the subject's parts throw
-/// std::logic_error; any may throw SubjectFailure.
+/// A light tree that a subject built, for one thread. `node`: an index in claim().nodes. Functions
+/// outside the subject's parts throw std::logic_error; any may throw SubjectFailure.
 class SubjectTree {
 public:
   virtual ~SubjectTree() = default;
-  /// The same tree, to be used by another thread.
+  /// Another user of this tree, for another thread.
   [[nodiscard]] virtual std::unique_ptr<SubjectTree> for_another_thread() const = 0;
-  /// What it says the tree is.
+  /// The tree as the subject describes it; see read_topology().
   [[nodiscard]] virtual TreeClaim claim() const = 0;
 
-  /// What it takes for an upper bound of the cluster's unoccluded contribution, per channel.
+  /// The subject's upper bound of the cluster's unoccluded contribution: radiance, per channel.
   virtual glm::vec3 bound(std::uint32_t node, const ShadingPoint& point);
-  /// The same of all nodes; `out` has room for them.
+  /// bound() of every node; `out` has room for them.
   virtual void bounds(const ShadingPoint& point, std::span<glm::vec3> out);
-  /// A lower bound of the same, where nothing occludes.
+  /// The subject's lower bound of the cluster's unoccluded contribution: radiance, per channel.
   virtual glm::vec3 lower_bound(std::uint32_t node, const ShadingPoint& point);
-  /// What it takes the cluster to contribute if its representative is seen, given its bound.
+  /// The subject's estimate of the cluster's contribution if its representative is seen: radiance,
+  /// given the cluster's bound().
   virtual glm::dvec3 estimate(std::uint32_t node, const ShadingPoint& point,
                               const glm::vec3& bound);
-  /// A cut; valid until the next call. visible(i) tells whether light i is seen.
+  /// A cut for the point; valid until the next call. visible(i) tells whether light i is seen.
   virtual Cut select(const ShadingPoint& point, const CutConfig& config,
                      const std::function<bool(std::uint32_t)>& visible);
   /// Draws one of the cluster's lights by a random number u in [0, 1).
   virtual DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u);
-  /// The same for many random numbers, of which `out` has as many.
+  /// sample() by each of many random numbers; `out` has as many elements.
   virtual void samples(std::uint32_t node, const ShadingPoint& point, std::span<const double> u,
                        std::span<DrawnLight> out);
   /// The probability with which sample() draws the light.
   virtual double probability(std::uint32_t node, const ShadingPoint& point, std::uint32_t light);
-  /// The same of several lights.
+  /// probability() of each of several lights.
   virtual std::vector<double> probabilities(std::uint32_t node, const ShadingPoint& point,
                                             std::span<const std::uint32_t> lights);
   /// A random estimate: each cluster of a cut lit by one light drawn by the subject's own random
-  /// numbers, which `query` decides. The cut does not depend on it. Valid until the next call.
+  /// numbers, which `query` decides. The cut does not depend on `query`. Valid until the next call.
   virtual Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
                    const std::function<bool(std::uint32_t)>& visible);
   /// The library's own tree underneath, or nothing for a foreign one.
@@ -104,12 +105,12 @@ public:
   virtual ~Subject() = default;
   [[nodiscard]] virtual const std::string& name() const = 0;
   [[nodiscard]] virtual Parts parts() const = 0;
-  /// Builds its tree; seed: of the random choices in that.
+  /// Builds a light tree; seed: of its random choices.
   [[nodiscard]] virtual std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                            std::uint64_t seed) const = 0;
   /// Whether a cluster with the first relative bound is refined before one with the second.
   [[nodiscard]] virtual bool refined_before(double bound, double other) const;
-  /// Whether a light is seen from there.
+  /// Whether a light is seen from the point.
   [[nodiscard]] virtual bool sees(const SceneView& view, const VisiblePoint& from,
                                   std::uint32_t light) const;
   /// A picture of the scene; a pixel is what select() makes of its point.

@@ -44,7 +44,7 @@ public:
     const TreeClaim::Node& n = claim_.nodes[node];
     return std::span(claim_.children).subspan(n.first_child, n.child_count);
   }
-  /// Of a leaf; none elsewhere.
+  /// Lights of a leaf; none of other nodes.
   [[nodiscard]] std::span<const std::uint32_t> lights(std::uint32_t node) const {
     const TreeClaim::Node& n = claim_.nodes[node];
     if (n.child_count > 0) return {};
@@ -59,7 +59,7 @@ public:
   }
   /// All nodes, parents before their children.
   [[nodiscard]] std::span<const std::uint32_t> parents_first() const { return order_; }
-  /// Of all leaves below, with repetition.
+  /// Lights of all leaves below the node, with repetition.
   [[nodiscard]] std::vector<std::uint32_t> all_lights(std::uint32_t node) const;
   [[nodiscard]] std::uint32_t light_count(std::uint32_t node) const { return counts_[node]; }
 

@@ -37,7 +37,7 @@ using Metric = std::function<double(const NaiveCluster&, const NaiveCluster&)>;
 [[nodiscard]] std::vector<NaiveCluster> naive_clusters(const LightSet& lights,
                                                        const Metric& metric = greedy_metric);
 
-/// The same as a tree of the library.
+/// naive_clusters() as a tree of the library.
 [[nodiscard]] LightTree naive_tree(const LightSet& lights, const Metric& metric = greedy_metric);
 
 /// Sum of greedy_metric() over all clusters of more than one light. Lights of one kind.

@@ -31,7 +31,7 @@ inline constexpr long double truth_error = 0x1p23L * std::numeric_limits<long do
 /// does not cancel. min_distance as LightSet has it.
 [[nodiscard]] Wide contribution(const Light& light, const ShadingPoint& point, float min_distance);
 
-/// The same in 700-bit arithmetic, one channel: what decides where long double cannot.
+/// contribution() in 700-bit arithmetic, one channel: what decides where long double cannot.
 [[nodiscard]] Exact exact_contribution(const Light& light, const ShadingPoint& point,
                                        float min_distance, int channel);
 

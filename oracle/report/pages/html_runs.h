@@ -10,7 +10,7 @@ namespace lightcuts::oracle {
 /// The table of runs, for report_html.
 std::string html_runs(const Report& report);
 
-/// What each of its columns means, as a description list.
+/// What each column of the table of runs means, as a description list.
 std::string html_legend(const Report& report);
 
 } // namespace lightcuts::oracle

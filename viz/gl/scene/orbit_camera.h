@@ -38,7 +38,7 @@ struct OrbitCamera {
   /// Where the camera stands, metres.
   [[nodiscard]] glm::dvec3 eye() const;
   [[nodiscard]] Camera to_camera() const;
-  /// The same, before rounding to floats; throws InputError as lightcuts::viz::view_frame does.
+  /// The frame of to_camera() before rounding to floats; throws InputError as view_frame() does.
   [[nodiscard]] ViewFrame frame(glm::uvec2 size) const;
   /// Of a point (metres); see lightcuts::viz::screen_position.
   [[nodiscard]] std::optional<glm::dvec2> screen_position(const glm::dvec3& point,

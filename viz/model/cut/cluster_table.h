@@ -39,7 +39,7 @@ struct ClusterColumnInfo {
 /// an unsaid representative, a truth that is not there yet.
 [[nodiscard]] std::optional<double> scalar_of(const ClusterRow& row, ClusterColumn column);
 
-/// What rows have to be like; any row will do for an empty one.
+/// Conditions on rows of the table; an empty filter accepts any row.
 class RowFilter {
 public:
   enum class Comparison { less, at_most, equal, unequal, at_least, greater };
@@ -50,7 +50,7 @@ public:
   };
 
   void require(const NumberCondition& condition) { numbers_.push_back(condition); }
-  /// That its representative is seen, or is not.
+  /// Requires that the cluster's representative is seen, or is not.
   void require_visible(bool visible) { (visible ? visible_ : hidden_) = true; }
 
   /// Whether all conditions hold; none does for a number that is NaN or not known.

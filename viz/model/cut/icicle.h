@@ -64,7 +64,7 @@ public:
   /// merged run. Nothing where nothing is drawn.
   [[nodiscard]] std::optional<std::uint32_t> node_at(const IcicleView& view, glm::vec2 pixel) const;
 
-  /// Of the nodes of a cut, none of which is below another.
+  /// Where a cut lies; none of its nodes is below another.
   [[nodiscard]] IcicleCut cut(std::span<const std::uint32_t> nodes) const;
 
   /// Number of rows of the whole tree; 0 without lights.
@@ -81,8 +81,8 @@ public:
   [[nodiscard]] IcicleView zoomed(const IcicleView& view, float x, double factor) const;
   /// Moves what is shown by so many pixels to the right and so many rows down.
   [[nodiscard]] IcicleView panned(const IcicleView& view, float right, int down) const;
-  /// Such that the node is the middle third, or as near to it as edges allow; its row is in the
-  /// middle unless it is in sight already.
+  /// Scrolled and magnified so that the node is the middle third, or as near to it as edges allow;
+  /// its row is in the middle unless it is in sight already.
   [[nodiscard]] IcicleView showing(const IcicleView& view, std::uint32_t node) const;
   /// All of the tree's width, from the root.
   [[nodiscard]] IcicleView whole(const IcicleView& view) const;

@@ -11,7 +11,7 @@
 
 namespace lightcuts::detail {
 
-/// What the functions below give where they cannot tell, which is rare.
+/// The value of certified_sup() and certified_value() where they cannot tell, which is rare.
 inline constexpr double undecided = -1;
 
 /// The path q(s) = clamp(s n, lo, hi) in the unknowns c_i = q_i / n_i = clamp(s, enter_i, leave_i),

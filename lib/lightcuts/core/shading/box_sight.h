@@ -48,9 +48,9 @@ struct BoxSight {
     return tangent * tangent;
   }
 
-  /// The same, or a larger one by cos^2(n,h) = (n.l + n.v)^2 / (2 + 2 l.v), given an upper bound of
-  /// n.l and a lower one of l.v: it helps aside of the plane of incidence. It is left out where
-  /// rounding might show in a lobe.
+  /// min_half_tangent2(), or a larger lower bound of tan^2(n,h) by cos^2(n,h) = (n.l + n.v)^2 / (2
+  /// + 2 l.v), given an upper bound of n.l and a lower one of l.v: it helps aside of the plane of
+  /// incidence. It is left out where rounding might show in a lobe.
   [[nodiscard]] double min_half_tangent2(double light_cosine, double between_cosine) const {
     const double up = light_cosine + frame.viewer_cosine(), sum2 = 2 + 2 * between_cosine;
     // What is subtracted makes up for the rounding of n.v and of this.

@@ -59,8 +59,8 @@ struct Rendering {
 [[nodiscard]] Rendering render(const SceneView& view, const LightTree& tree,
                                const RenderConfig& config);
 
-/// The same for those pixels that are wanted, into a picture of the view's size; the others stay as
-/// they are. surface_pixels and seconds are added to what they were. wanted() is asked by any
+/// Renders those pixels that are wanted into a picture of the view's size; the others stay as they
+/// are. surface_pixels and seconds are added to what they were. wanted() is asked by any
 /// thread, once per pixel.
 void render_into(Rendering& picture, const SceneView& view, const LightTree& tree,
                  const RenderConfig& config, const std::function<bool(glm::uvec2)>& wanted);

@@ -27,7 +27,7 @@ class SceneView {
 public:
   /// The scene must be valid (see validate()) and outlive the view.
   explicit SceneView(const Scene& scene);
-  /// The same scene as another camera sees it, without building what finds triangles again.
+  /// The scene as another camera sees it, without building what finds triangles again.
   [[nodiscard]] SceneView seen_by(const Camera& camera, glm::uvec2 size) const {
     return {*scene_, occluder_, camera, size};
   }
@@ -42,16 +42,16 @@ public:
   /// The surface seen at the centre of the pixel, if any.
   [[nodiscard]] std::optional<VisiblePoint> at(glm::uvec2 pixel) const;
 
-  /// Whether light i is seen from there.
+  /// Whether light i is seen from the point.
   [[nodiscard]] bool sees(const VisiblePoint& from, std::uint32_t light) const {
     return !may_occlude_ || casts_to(from, light);
   }
-  /// The same by a shadow ray, needed or not.
+  /// Whether a shadow ray from the point reaches light i; cast whether it is needed or not.
   [[nodiscard]] bool casts_to(const VisiblePoint& from, std::uint32_t light) const {
     return !occluder_->occluded(ray_to(from, light));
   }
 
-  /// The shadow ray for that: to a directional light, out of the scene.
+  /// The shadow ray from the point to light i; to a directional light, out of the scene.
   [[nodiscard]] ShadowRay ray_to(const VisiblePoint& from, std::uint32_t light) const {
     const Light& l = scene_->lights[light];
     if (is_at_infinity(l.kind)) return {from.ray_origin, l.position, out_of_scene_};

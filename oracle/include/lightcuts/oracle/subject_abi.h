@@ -148,15 +148,15 @@ typedef struct lightcuts_subject {
   /// min_distance >= 0, metres: 0 does not clamp. seed: for any random choice. NULL where it cannot
   /// be built.
   void* (*build)(const lightcuts_light* lights, uint32_t count, float min_distance, uint64_t seed);
-  /// Frees it.
+  /// Frees a tree that build() returned.
   void (*destroy)(void* tree);
   /// Number of nodes, at most 4 for each light and 64 more.
   uint32_t (*node_count)(void* tree);
   /// Writes the indices of a node's children, capacity of them at most, and returns how many there
   /// are: any number; 0 of a leaf.
   uint32_t (*children)(void* tree, uint32_t node, uint32_t* children, uint32_t capacity);
-  /// The same of a leaf's lights, which are at least one; indices as given to build(). Every light
-  /// is in one leaf.
+  /// Writes the indices, as given to build(), of a leaf's lights, capacity of them at most, and
+  /// returns how many there are: at least one. Every light is in one leaf.
   uint32_t (*lights)(void* tree, uint32_t node, uint32_t* lights, uint32_t capacity);
 
   /// The light that stands for the cluster: one of its lights, and that of one of its children.
@@ -166,7 +166,7 @@ typedef struct lightcuts_subject {
 
   /// At least what the cluster's lights contribute if all are seen; +inf is allowed, and a waste.
   int (*bound)(void* tree, uint32_t node, const lightcuts_point* point, float bound[3]);
-  /// At most what they contribute if all are seen. Judged only beside bound().
+  /// At most what the cluster's lights contribute if all are seen. Judged only beside bound().
   int (*lower_bound)(void* tree, uint32_t node, const lightcuts_point* point, float bound[3]);
   /// What the cluster is taken to contribute if its representative is seen; bound is what bound()
   /// gave. Judged only beside bound().
