@@ -17,16 +17,19 @@ namespace {
 void require_cone(const JsonElement& element, const Light& light) {
   if (light.kind == LightKind::spot && !(double(light.cos_inner) - light.cos_outer >= 0x1p-11))
     element["cos_inner"].refuse(
+        InputFault::inconsistent,
         fmt::format("is {}, expected at least cos_outer + 2^-11", light.cos_inner));
 }
 
 void require_indices(const JsonElement& element, std::size_t lights) {
-  if (element.size() > 0 && lights == 0) element.refuse("names lights, but there are none");
+  if (element.size() > 0 && lights == 0)
+    element.refuse(InputFault::inconsistent, "names lights, but there are none");
   std::uint64_t least = 0;
   for (std::size_t i = 0; i < element.size(); ++i) {
     const std::uint64_t light = element.at(i).whole_number(0, lights - 1);
     if (light < least)
-      element.at(i).refuse(fmt::format("is {}, expected more than the one before", light));
+      element.at(i).refuse(InputFault::inconsistent,
+                           fmt::format("is {}, expected more than the one before", light));
     least = light + 1;
   }
 }
@@ -56,10 +59,11 @@ SavedCounterexample read_counterexample(const std::string& name, const std::stri
   append_keys<SavedCounterexample>(keys);
   root.expect_keys(keys);
   if (const std::string schema = root["schema"].string(); schema != counterexample_schema)
-    root["schema"].refuse(fmt::format("is \"{}\", expected \"{}\"", schema, counterexample_schema));
+    root["schema"].refuse(InputFault::unsupported,
+                          fmt::format("is \"{}\", expected \"{}\"", schema, counterexample_schema));
   SavedCounterexample saved;
   read_fields(root, saved);
-  if (saved.subject.empty()) root["subject"].refuse("is empty");
+  if (saved.subject.empty()) root["subject"].refuse(InputFault::missing, "is empty");
   require_valid(root["case"], saved.counterexample.on);
   return saved;
 }

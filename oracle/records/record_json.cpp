@@ -50,28 +50,32 @@ void read_value(const JsonElement& element, float& value, const Domain& domain) 
     const std::string text = element.string();
     const std::optional<float> read = hex_float(text);
     if (!read)
-      element.refuse(fmt::format("is \"{}\", expected a finite float such as \"0x1.8p+1\"", text));
+      element.refuse(InputFault::malformed_file,
+                     fmt::format("is \"{}\", expected a finite float such as \"0x1.8p+1\"", text));
     value = *read;
   }
   if (double(value) < domain.least || double(value) > domain.most)
-    element.refuse(domain.least == 0 && domain.most > largest
+    element.refuse(domain.least == 0 ? fault_of(value) : InputFault::out_of_domain,
+                   domain.least == 0 && domain.most > largest
                        ? "is negative"
                        : fmt::format("is {}, expected {} to {}", value, domain.least, domain.most));
 }
 
 void read_value(const JsonElement& element, glm::vec3& value, const Domain& domain) {
-  if (!element.is_list()) element.refuse("is not a list");
+  if (!element.is_list()) element.refuse(InputFault::malformed_file, "is not a list");
   if (element.size() != 3)
-    element.refuse(fmt::format("has {} elements, expected three", element.size()));
+    element.refuse(InputFault::malformed_file,
+                   fmt::format("has {} elements, expected three", element.size()));
   for (int i = 0; i < 3; ++i) read_value(element.at(std::size_t(i)), value[i], domain);
   // As LightSet demands it.
   const double length = glm::length(glm::dvec3(value));
   if (domain.unit && !(std::abs(length - 1) <= 1e-5))
-    element.refuse(fmt::format("has length {}, not 1", length));
+    element.refuse(InputFault::not_unit, fmt::format("has length {}, not 1", length));
 }
 
 void read_value(const JsonElement& element, glm::uvec2& value, const Domain& domain) {
-  if (!element.is_list() || element.size() != 2) element.refuse("is not a width and a height");
+  if (!element.is_list() || element.size() != 2)
+    element.refuse(InputFault::malformed_file, "is not a width and a height");
   for (int i = 0; i < 2; ++i) read_value(element.at(std::size_t(i)), value[i], domain);
 }
 

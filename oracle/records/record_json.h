@@ -96,7 +96,8 @@ template <class Names>
   const std::string text = element.string();
   for (std::size_t i = 0; i < names.size(); ++i)
     if (text == names[i]) return i;
-  element.refuse(fmt::format("is \"{}\", expected one of: {}", text, fmt::join(names, ", ")));
+  element.refuse(InputFault::unknown_name,
+                 fmt::format("is \"{}\", expected one of: {}", text, fmt::join(names, ", ")));
 }
 
 template <NamedEnum Enum>
@@ -146,7 +147,7 @@ void read_fields(const JsonElement& element, R& record) {
 
 template <class T>
 void read_value(const JsonElement& element, std::vector<T>& list, const Domain& domain) {
-  if (!element.is_list()) element.refuse("is not a list");
+  if (!element.is_list()) element.refuse(InputFault::malformed_file, "is not a list");
   list.resize(element.size());
   for (std::size_t i = 0; i < list.size(); ++i) read_value(element.at(i), list[i], domain);
 }

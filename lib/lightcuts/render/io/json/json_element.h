@@ -57,10 +57,6 @@ public:
   [[noreturn]] void refuse(InputFault fault, const std::string& why) const {
     refuse_as(fault, " " + why);
   }
-  /// Refuses a malformed file.
-  [[noreturn]] void refuse(const std::string& why) const {
-    refuse(InputFault::malformed_file, why);
-  }
   /// Refuses by a message in which `end` follows the path directly.
   [[noreturn]] void refuse_as(InputFault fault, const std::string& end) const;
 
