@@ -136,9 +136,8 @@ struct Suprema {
     visit_kind(n.kind(), [&]<class Kind>(Kind) {
       const JointSuprema<Kind> sup;
       const double clamp2 = tree.min_distance2();
-      max_cosine_falloff =
-          sup.max_cosine_falloff(n.kind(), point.normal(), from, n.box, clamp2) *
-          point.inverse_normal_length();
+      max_cosine_falloff = sup.max_cosine_falloff(n.kind(), point.normal(), from, n.box, clamp2) *
+                           point.inverse_normal_length();
       falloff = sup.max_falloff(n.kind(), from, n.box, clamp2);
       if (has_axis(Kind::kind)) emission = sup.max_emission(tree, node, n.kind(), from);
     });

@@ -39,9 +39,8 @@ struct MidpointRule {
         const glm::vec3 l(density.direction({x, (j + 0.5) / steps}));
         const Sight sight(point, LightKind::directional, l);
         if (sight.below_horizon()) continue;
-        const double share =
-            reflected(point, lobe, sight, LightKind::directional, 0).x /
-            density(glm::normalize(glm::dvec3(l)));
+        const double share = reflected(point, lobe, sight, LightKind::directional, 0).x /
+                             density(glm::normalize(glm::dvec3(l)));
         mean += share * weight;
         largest = std::max(largest, share);
       }

@@ -265,9 +265,10 @@ TEST(Renderer, LeavesPixelsWhenCancelled) {
 TEST(Renderer, LightsByTheRulesChosen) {
   const Room room;
   for (const auto& [method, bound, estimate] :
-       {std::tuple(methods::paper, BoundRule::product, EstimateRule::representative),
-        std::tuple(methods::unscaled, BoundRule::product, EstimateRule::unscaled),
-        std::tuple(methods::no_specular_bound, BoundRule::no_specular, EstimateRule::centroid)}) {
+       {std::tuple(Method(methods::paper), BoundRule::product, EstimateRule::representative),
+        std::tuple(Method(methods::unscaled), BoundRule::product, EstimateRule::unscaled),
+        std::tuple(Method(methods::no_specular_bound), BoundRule::no_specular,
+                   EstimateRule::centroid)}) {
     RenderConfig by_choice{.cut = {0.02F, 200}, .rules = ClusterRules()};
     by_choice.rules->bound = bound;
     by_choice.rules->estimate = estimate;

@@ -5,9 +5,9 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <viz/model/scene/opened_scene.h>
 #include <oracle/cases/counterexample_json.h>
 #include <oracle/subjects/subjects.h>
+#include <viz/model/scene/opened_scene.h>
 
 #include <tests/render/support/temporary_folder.h>
 

@@ -14,7 +14,7 @@ namespace lightcuts::viz {
 /// How the picture is made: one of the library's methods, or rasterised without shadows.
 class DisplayMethod {
 public:
-  constexpr DisplayMethod(Method method) : method_(method) {} // NOLINT: is one
+  constexpr DisplayMethod(Method method) : method_(method) {}                   // NOLINT: is one
   constexpr DisplayMethod(const MethodDescription& method) : method_(method) {} // NOLINT
   [[nodiscard]] static constexpr DisplayMethod raster() { return DisplayMethod(); }
 
@@ -34,7 +34,8 @@ inline constexpr auto all_displays = []<std::size_t... I>(std::index_sequence<I.
   static_assert(all_methods[0] == Method(methods::reference));
   return std::array{DisplayMethod::raster(), DisplayMethod(methods::reference),
                     DisplayMethod(all_methods[sizeof...(I) - I])...};
-}(std::make_index_sequence<std::size(all_methods) - 1>());
+}
+(std::make_index_sequence<std::size(all_methods) - 1>());
 
 /// "raster", or the library's name of it.
 [[nodiscard]] const char* name_of(const DisplayMethod& display);

@@ -92,10 +92,6 @@ Plot error_against_threshold(const oracle::Report& report) {
 void PlotsPanel::draw(Workbench& workbench) {
   const float height = std::max(
       110.0F, (ImGui::GetContentRegionAvail().y - 6 * ImGui::GetTextLineHeightWithSpacing()) / 3);
-  if (!started_) {
-    methods_ = {methods::lightcuts, methods::paper};
-    started_ = true;
-  }
   draw_histogram(workbench);
   draw_plot("histogram", histogram_, {ImGui::GetContentRegionAvail().x, height});
   draw_controls(workbench);
@@ -105,8 +101,7 @@ void PlotsPanel::draw(Workbench& workbench) {
 void PlotsPanel::draw_histogram(Workbench& workbench) {
   const LayerSources sources = workbench.sources(workbench.state.display, Layer::cut_size);
   ImGui::TextUnformatted(fmt::format("Lights evaluated, {}{}",
-                                     workbench.state.display.method()->name,
-                                     beyond_histogram_)
+                                     workbench.state.display.method()->name, beyond_histogram_)
                              .c_str());
   const bool complete = sources.frame->complete();
   // While the picture grows, every now and then.

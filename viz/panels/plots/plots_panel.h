@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <viz/model/workbench.h>
 #include <viz/panels/picture/shown_picture.h>
@@ -22,8 +23,8 @@ private:
   void draw_report(Workbench& workbench);
   void draw_controls(Workbench& workbench);
 
-  std::vector<Method> methods_; ///< which the report has beside the reference
-  bool started_ = false;
+  /// Which the report has beside the reference.
+  std::vector<Method> methods_{methods::lightcuts, methods::paper};
   Plot histogram_;
   std::string beyond_histogram_; ///< in words
   std::uint64_t histogram_version_ = 0;

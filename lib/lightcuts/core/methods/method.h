@@ -43,6 +43,13 @@ struct LighterConfig {
   std::uint64_t seed = 1;  ///< of the methods that draw lights
 };
 
+/// What is known by its address: a copy would be another one.
+struct NotCopied {
+  constexpr NotCopied() = default;
+  NotCopied(const NotCopied&) = delete;
+  NotCopied& operator=(const NotCopied&) = delete;
+};
+
 /// How pixels are lit. Each is described once, in a file of its own; see all_methods.h.
 struct MethodDescription {
   const char* name;    ///< of the command line and reports
@@ -51,6 +58,7 @@ struct MethodDescription {
   bool cuts;           ///< needs a tree
   ClusterRules rules;  ///< by which it picks cuts, if it does
   std::unique_ptr<PointLighter> (*lighter)(const LighterConfig& config);
+  [[no_unique_address]] NotCopied not_copied{};
 };
 
 /// One of all_methods().

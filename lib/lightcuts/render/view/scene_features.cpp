@@ -77,7 +77,8 @@ float default_threshold(const SceneView& view) {
   return any_specular(view.scene()) ? 0.16F : 0.5F;
 }
 
-SceneFeatures find_scene_features(const SceneView& view, const LightTree& tree, const CutConfig& config) {
+SceneFeatures find_scene_features(const SceneView& view, const LightTree& tree,
+                                  const CutConfig& config) {
   SceneFeatures features;
   features.kinds = view.scene().lights.kinds();
   features.clamp = view.scene().lights.min_distance() > 0;

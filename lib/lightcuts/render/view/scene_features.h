@@ -41,6 +41,6 @@ inline constexpr std::uint32_t default_max_cut = 5000;
 /// Looks at the scene, and at cuts for about 200 pixels chosen by position. Decides by counting
 /// (clusters, rays, lights), never by the clock: same inputs, same answer.
 [[nodiscard]] SceneFeatures find_scene_features(const SceneView& view, const LightTree& tree,
-                               const CutConfig& config);
+                                                const CutConfig& config);
 
 } // namespace lightcuts

@@ -48,7 +48,7 @@ TEST(TruthPicture, HasTheOraclesClairvoyantCuts) {
   oracle::LibraryTree library(*small_scene()->tree());
   expect_clairvoyant(small_key(), library);
   oracle::LibraryTree paper(*small_scene()->tree(),
-                              oracle::library_kernel(all_light_kinds, methods::paper.rules));
+                            oracle::library_kernel(all_light_kinds, methods::paper.rules));
   expect_clairvoyant(small_key(methods::paper), paper);
 }
 
