@@ -2,6 +2,7 @@
 #include <oracle/campaign/check.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <mutex>
@@ -13,11 +14,11 @@
 #include <tbb/task_arena.h>
 
 #include <lightcuts/core/input_error.h>
-#include <oracle/campaign/check_case.h>
+#include <oracle/campaign/scene_case.h>
 #include <oracle/cases/random_pixels.h>
-#include <oracle/cases/scene_case.h>
-#include <oracle/properties/bound_sweep.h>
-#include <oracle/properties/case_properties.h>
+#include <oracle/properties/bounds/bound_sweep.h>
+#include <oracle/properties/cut_answer.h>
+#include <oracle/properties/judge.h>
 #include <oracle/truth/white_furnace.h>
 
 namespace lightcuts::oracle {
@@ -28,18 +29,6 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
-
-/// Cuts of three kinds at each point: as configured, exact, and too small to converge.
-struct Cuts {
-  CutConfig config, exact, small;
-
-  Cuts(const CutConfig& cut, std::size_t lights) : config(cut), exact(cut), small(cut) {
-    exact.threshold = 0;
-    exact.black_level = 0;
-    exact.max_size = static_cast<std::uint32_t>(lights);
-    small.max_size = small_cut_size;
-  }
-};
 
 /// What one thread works with.
 struct Worker {
@@ -55,12 +44,6 @@ struct Worker {
 
 // Of the lights, so many at each point.
 constexpr std::uint64_t reciprocal_lights = 4;
-
-void check_material(const PointCase& at, const LightSet& lights, std::uint64_t seed, Tally& tally) {
-  for (std::uint64_t i = 0; i < reciprocal_lights; ++i)
-    check_reciprocity(at, lights[hashed(seed, reciprocal_lights * at.place + i) % lights.size()],
-                      tally);
-}
 
 /// All different parts of the materials, as in a white furnace.
 std::vector<Lobe> parts_of(const Scene& scene) {
@@ -79,42 +62,22 @@ constexpr std::uint64_t points_per_exact_cut = 8;
 constexpr std::uint64_t points_per_probabilities = 64 * points_per_full_check;
 constexpr std::uint64_t points_per_excerpt = points_per_full_check;
 
-void check_point(const SceneView& view, Parts parts, const Topology& topology, const Cuts& cuts,
-                 std::uint64_t place, const VisiblePoint& p, std::uint64_t seed, Worker& w) {
-  const LightSet& lights = view.scene().lights;
-  for (std::uint32_t i = 0; i < w.visible.size(); ++i) w.visible[i] = view.sees(p, i) ? 1 : 0;
-  w.truth.evaluate(topology, lights, p.point, w.visible);
-  const PointCase at{place, p.point, w.visible, w.truth};
-  const Judged judged{*w.tree, parts};
-  check_clusters(judged, at, w.tally);
-  check_material(at, lights, seed + 2, w.tally);
-  if (judged.has(Part::sampling) && place % points_per_probabilities == 0)
-    check_probabilities(judged, at, w.tally);
-  if (!judged.has(Part::cuts)) return;
-
-  const auto visible = [&w](std::uint32_t light) {
-    return light < w.visible.size() && w.visible[light] != 0;
-  };
-  const auto check_selected = [&](const CutConfig& config) {
-    check_cut(judged, config, w.tree->select(p.point, config, visible), at, w.tally);
-  };
-  check_selected(cuts.config);
-  check_selected(cuts.small);
-  if (place % points_per_exact_cut == 0) check_selected(cuts.exact);
-}
-
-/// Records what the work throws as SubjectFailure, and whether it did not.
-template <class Work>
-bool answers(std::uint64_t place, Tally& tally, Work&& work) {
-  std::string failure;
-  try {
-    work();
-  } catch (const SubjectFailure& e) {
-    failure = e.what();
+void check_point(const CheckConfig& config, const PointCase& at, const Judged& judged,
+                 Tally& tally) {
+  const LightSet& lights = at.lights();
+  const Judge judge(judged.parts, at.place, tally);
+  const PointAnswers answers(judged, at);
+  judge.clusters(answers);
+  for (std::uint64_t i = 0; i < reciprocal_lights; ++i) {
+    const std::uint64_t random = hashed(config.seed + 2, reciprocal_lights * at.place + i);
+    judge.light(at.point, lights[random % lights.size()]);
   }
-  tally.record(Property::subject_answers, failure.empty(), place, no_ratio,
-               [&] { return failure; });
-  return failure.empty();
+  if (at.place % points_per_probabilities == 0) judge.odds(answers);
+  const auto cuts = cuts_of(config.cut, lights.size());
+  if (at.place % points_per_exact_cut == 0)
+    judge.cuts(answers, cuts);
+  else
+    judge.cuts(answers, std::array{cuts[0], cuts[2]});
 }
 
 /// Rays per shading point, so that brute force takes a tenth of the time or so; where triangles are
@@ -131,7 +94,7 @@ public:
   Campaign(const SceneView& view, const Subject& subject, const CheckConfig& config,
            const CheckResult& done)
       : view_(view), lights_(view.scene().lights), subject_(subject), config_(config),
-        result_(done), cuts_(config.cut, lights_.size()),
+        result_(done),
         arena_(config.threads == 0 ? tbb::task_arena::automatic : int(config.threads)) {
     result_.complete = true;
   }
@@ -166,14 +129,12 @@ public:
 
 private:
   bool build(Tally& tally) {
-    return answers(0, tally,
-                   [&] {
-                     if (has(subject_.parts(), Part::refinement_order))
-                       check_refinement_order(subject_, 0, tally);
-                     tree_ = subject_.build(lights_, config_.tree_seed);
-                     topology_ = check_tree(tree_->claim(), lights_, 0, tally);
-                   }) &&
-           topology_.has_value();
+    const Judge judge(subject_.parts(), 0, tally);
+    return judge.answers([&] {
+      judge.subject(subject_);
+      tree_ = subject_.build(lights_, config_.tree_seed);
+      topology_ = judge.tree(tree_->claim(), lights_);
+    }) && topology_.has_value();
   }
 
   /// A tenth of a second or so, and the same whatever the machine.
@@ -184,8 +145,9 @@ private:
   void check_materials() {
     const std::vector<Lobe> parts = parts_of(view_.scene());
     arena_.execute([&] {
-      tbb::parallel_for(std::size_t(0), parts.size(),
-                        [&](std::size_t i) { check_energy(parts[i], i, workers_.local().tally); });
+      tbb::parallel_for(std::size_t(0), parts.size(), [&](std::size_t i) {
+        Judge(subject_.parts(), i, workers_.local().tally).lobe(parts[i]);
+      });
     });
   }
 
@@ -205,12 +167,12 @@ private:
 
   void check(std::uint64_t i, Worker& w) {
     const VisiblePoint p = random_point(view_, config_.seed, i);
-    if (!answers(i, w.tally, [&] { check_point_of(w, i, p); })) failed_ = true;
-    if (!has(subject_.parts(), Part::occlusion)) return;
+    const Judge judge(subject_.parts(), i, w.tally);
+    if (!judge.answers([&] { check_point_of(w, i, p); })) failed_ = true;
     const double rate = ray_rate(view_.scene(), *topology_);
     for (auto r = std::uint64_t(double(i) * rate); r < std::uint64_t(double(i + 1) * rate); ++r)
-      check_ray(subject_, view_, p, std::uint32_t(hashed(config_.seed + 1, r) % lights_.size()), i,
-                w.rays, w.tally);
+      judge.ray({subject_, view_, p, std::uint32_t(hashed(config_.seed + 1, r) % lights_.size()),
+                 w.rays});
   }
 
   void check_point_of(Worker& w, std::uint64_t i, const VisiblePoint& p) {
@@ -230,7 +192,9 @@ private:
       w.swept_pairs += topology_->size();
       return;
     }
-    check_point(view_, subject_.parts(), *topology_, cuts_, i, p, config_.seed, w);
+    for (std::uint32_t j = 0; j < w.visible.size(); ++j) w.visible[j] = view_.sees(p, j) ? 1 : 0;
+    w.truth.evaluate(*topology_, lights_, p.point, w.visible);
+    check_point(config_, {i, p.point, w.visible, w.truth}, {*w.tree, subject_.parts()}, w.tally);
     if (i % points_per_excerpt == 0)
       check_case(subject_, excerpt_of(view_, config_, i), i, w.tally);
   }
@@ -261,7 +225,6 @@ private:
   const Subject& subject_;
   const CheckConfig& config_;
   CheckResult result_;
-  Cuts cuts_;
   double seconds_before_ = result_.seconds;
   Clock::time_point start_ = Clock::now(), saved_ = start_;
   std::unique_ptr<SubjectTree> tree_;

@@ -37,9 +37,6 @@ struct CheckResult {
   bool complete = true;             ///< false: out of time, cancelled, or the subject failed
 };
 
-/// At each point check() looks at a cut too small to converge, too: of so many clusters.
-inline constexpr std::uint32_t small_cut_size = 7;
-
 /// Of so many shading points one has everything checked, the others bounds alone, where the lights
 /// are omni and the surface is diffuse (elsewhere, all have): coverage is cheap there.
 inline constexpr std::uint64_t points_per_full_check = 32;

@@ -54,7 +54,7 @@ HuntResult hunt(const Subject& subject, const HuntConfig& config) {
 std::optional<std::string> failure_of(const Subject& subject, Property property, const Case& on) {
   Tally tally;
   try {
-    check_case_for(property, subject, on, tally);
+    check_case(subject, on, 0, tally, property);
   } catch (const InputError&) {
     return std::nullopt;
   }

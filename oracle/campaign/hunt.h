@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include <oracle/campaign/check_case.h>
+#include <oracle/properties/judge.h>
 
 namespace lightcuts::oracle {
 

@@ -47,8 +47,8 @@ oracle::CheckResult result_of(const nlohmann::json& json) {
   json.at("seconds").get_to(result.seconds);
   json.at("swept_pairs").get_to(result.swept_pairs);
   json.at("sweep_seconds").get_to(result.sweep_seconds);
-  for (std::size_t i = 0; i < oracle::property_count; ++i)
-    result.tally.restore(Property(i), count_of(json.at("properties").at(info(Property(i)).name)));
+  for (const Property p : oracle::all_properties)
+    result.tally[p] = count_of(json.at("properties").at(info(p).name));
   return result;
 }
 
@@ -90,8 +90,8 @@ void CampaignFile::save(const oracle::CheckResult& result) const {
            {"swept_pairs", result.swept_pairs},
            {"sweep_seconds", result.sweep_seconds}};
   auto& properties = saved["properties"] = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; i < oracle::property_count; ++i)
-    properties[info(Property(i)).name] = json_of(result.tally[Property(i)]);
+  for (const Property p : oracle::all_properties)
+    properties[info(p).name] = json_of(result.tally[p]);
   write_file_atomically(file_, text_of(json));
 }
 

@@ -10,7 +10,7 @@
 #include <lightcuts/core/tree/tree_builder.h>
 #include <lightcuts/render/view/scene_features.h>
 #include <oracle/campaign/check.h>
-#include <oracle/cases/scene_case.h>
+#include <oracle/campaign/scene_case.h>
 #include <oracle/cli/campaign_file.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>

@@ -35,13 +35,12 @@ std::string summary(const oracle::Tally& tally) {
 std::string property_table(const oracle::Tally& tally, const oracle::Subject& subject) {
   std::string text =
       fmt::format("{:<31}{:>12}{:>12}{:>13}\n", "property", "cases", "violations", "worst ratio");
-  for (std::size_t i = 0; i < oracle::property_count; ++i) {
-    const PropertyCount& count = tally[Property(i)];
-    text += fmt::format("{:<31}{:>12}{:>12}{:>13}\n", info(Property(i)).name, count.cases,
-                        count.violations, ratio_text(count.worst_ratio));
+  for (const Property p : oracle::all_properties) {
+    const PropertyCount& count = tally[p];
+    text += fmt::format("{:<31}{:>12}{:>12}{:>13}\n", info(p).name, count.cases, count.violations,
+                        ratio_text(count.worst_ratio));
     if (count.violations > 0)
-      text += fmt::format("  first{}: {}\n",
-                          info(Property(i)).severity == Severity::waste ? ", a waste" : "",
+      text += fmt::format("  first{}: {}\n", info(p).severity == Severity::waste ? ", a waste" : "",
                           count.first_violation);
   }
   const std::vector<std::string> absent = oracle::names_without(subject.parts());
@@ -53,10 +52,10 @@ std::string property_table(const oracle::Tally& tally, const oracle::Subject& su
 
 nlohmann::ordered_json properties_json(const oracle::Tally& tally) {
   auto list = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < oracle::property_count; ++i) {
-    const PropertyCount& count = tally[Property(i)];
+  for (const Property p : oracle::all_properties) {
+    const PropertyCount& count = tally[p];
     nlohmann::ordered_json entry{
-        {"name", info(Property(i)).name}, {"cases", count.cases}, {"violations", count.violations}};
+        {"name", info(p).name}, {"cases", count.cases}, {"violations", count.violations}};
     entry["worst_ratio"] = nullptr; // where the property is a matter of yes or no
     if (count.worst_ratio >= 0) entry["worst_ratio"] = count.worst_ratio;
     if (count.violations > 0) entry["first_violation"] = count.first_violation;

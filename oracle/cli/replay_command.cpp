@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <oracle/campaign/check_case.h>
 #include <oracle/cases/as_test.h>
 #include <oracle/cases/counterexample_json.h>
 #include <oracle/cli/commands.h>

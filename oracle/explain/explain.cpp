@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/explain/explain.h>
 
+#include <fmt/format.h>
+
+#include <oracle/cases/case_text.h>
 #include <oracle/explain/explain_parts.h>
 #include <oracle/properties/each_view.h>
 
@@ -30,8 +33,9 @@ std::string steps(const Subject& subject, const Counterexample& c) {
   const Judged judged{*tree, subject.parts()};
   std::string text;
   for_each_view(c.on, *reading.topology, lights, 0, [&](std::size_t i, const PointCase& at) {
-    text = explain_cluster(judged, c.property, at);
-    if (text.empty()) text = explain_cut(judged, c.property, c.on, at);
+    const PointAnswers answers(judged, at);
+    text = explain_cluster(answers, c.property);
+    if (text.empty()) text = explain_cut(answers, c.property, c.on.cut);
     if (text.empty()) return false;
     text = fmt::format("view {}\n{}\n", i, lines_of(c.on.views[i].view)) + text;
     return true;

@@ -8,10 +8,11 @@
 
 #include <lightcuts/core/kernels/contribution_bound.h>
 #include <lightcuts/core/tree/tree_builder.h>
-#include <oracle/explain/failing_place.h>
-#include <oracle/truth/radiometry.h>
-
 #include <oracle/explain/explain_parts.h>
+#include <oracle/explain/failing_place.h>
+#include <oracle/properties/both_sides.h>
+#include <oracle/properties/text_rows.h>
+#include <oracle/truth/radiometry.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -171,66 +172,6 @@ std::string box_and_suprema(const LightTree& tree, std::uint32_t node, const Sha
   return text + number_row("intensity", n.intensity);
 }
 
-// ---- both sides
-
-/// A comparison of a left side, 700 bits wide, with what may be no less.
-struct Sides {
-  std::string left_name, right_name;
-  std::array<Exact, 3> left;
-  std::array<double, 3> right;
-};
-
-Exact exact_of(double value) { return std::isfinite(value) ? Exact(value) : Exact(0); }
-
-/// The children's bounds in rows of their own.
-std::string children_rows(const PointCase& at, std::uint32_t node,
-                          std::span<const glm::vec3> bounds) {
-  std::string text;
-  for (const std::uint32_t child : at.topology().children(node))
-    text += number_row(fmt::format("bound of node {}", child), bounds[child]);
-  return text;
-}
-
-Sides sides_of(const Judged& judged, Property property, const PointCase& at, std::uint32_t node,
-               std::span<const glm::vec3> bounds) {
-  Sides sides{"truth", "the subject's bound", {}, {}};
-  for (int c = 0; c < 3; ++c) {
-    const auto k = std::size_t(c);
-    sides.left[k] = at.truth.exact_open(node, c);
-    sides.right[k] = bounds[node][c];
-    if (property == Property::bound_dominates_error) {
-      sides.left_name = "error of the estimate";
-      const double estimate = seen_estimate(judged, node, at, bounds[node])[c];
-      sides.left[k] = abs(exact_of(estimate) - at.truth.exact_seen(node, c));
-    } else if (property == Property::bounds_are_ordered) {
-      sides = {"the lower bound", "truth", sides.left, sides.right};
-      sides.right[k] = static_cast<double>(at.truth.exact_open(node, c));
-      sides.left[k] = exact_of(judged.tree.lower_bound(node, at.point)[c]);
-    } else if (property == Property::bound_shrinks_on_refinement) {
-      sides.left_name = "the children's bounds";
-      sides.left[k] = 0;
-      for (const std::uint32_t child : at.topology().children(node))
-        sides.left[k] += exact_of(bounds[child][c]);
-    }
-  }
-  return sides;
-}
-
-std::string truth_rows(const Judged& judged, Property property, const PointCase& at,
-                       std::uint32_t node, std::span<const glm::vec3> bounds) {
-  const auto seen = [&](int c) { return oracle::text_of(at.truth.exact_seen(node, c), 20); };
-  std::string text = row_of(
-      "truth, 700 bits", [&](int c) { return oracle::text_of(at.truth.exact_open(node, c), 20); });
-  if (property == Property::bound_dominates_error) {
-    text += row_of("of that, seen", seen);
-    text += number_row("estimate", seen_estimate(judged, node, at, bounds[node]));
-  }
-  if (property == Property::bounds_are_ordered)
-    text += number_row("lower bound", judged.tree.lower_bound(node, at.point));
-  if (property == Property::bound_shrinks_on_refinement) text += children_rows(at, node, bounds);
-  return text;
-}
-
 /// What the subject's bound leaves for n.l falloff, where that is a factor of it: one kind of light
 /// and no lobe.
 std::string left_for_reach(const LibraryCluster& cluster, const PointCase& at, std::uint32_t node,
@@ -259,13 +200,13 @@ std::string left_for_reach(const LibraryCluster& cluster, const PointCase& at, s
                              bound / others, light, oracle::text_of(most, 9)));
 }
 
-std::string parting(const LibraryCluster& cluster, const Sides& sides, Property property,
+std::string parting(const LibraryCluster& cluster, const BothSides& sides, bool of_bound,
                     const PointCase& at, std::uint32_t node) {
   for (int c = 0; c < 3; ++c) {
     const auto k = std::size_t(c);
     const double bound = sides.right[k];
     const std::string where = fmt::format("they part here: channel {}, ", "rgb"[c]);
-    if (property == Property::results_are_finite || property == Property::bound_is_finite) {
+    if (sides.must_be_finite) {
       if (bound >= 0 && std::isfinite(bound)) continue;
       return wrapped(where + fmt::format("{} is {}, the truth {}", sides.right_name, bound,
                                          oracle::text_of(sides.left[k], 9)));
@@ -277,45 +218,45 @@ std::string parting(const LibraryCluster& cluster, const Sides& sides, Property 
     if (bound > 0)
       text += fmt::format(", {} times", oracle::text_of(Exact(sides.left[k] / Exact(bound)), 9));
     text = wrapped(text);
-    if (property == Property::bound_dominates_contribution)
-      text += left_for_reach(cluster, at, node, c, bound);
+    if (of_bound) text += left_for_reach(cluster, at, node, c, bound);
     return text;
   }
   return {};
 }
 
-std::string cluster_text(const Judged& judged, Property property, const PointCase& at,
-                         std::uint32_t node, std::span<const glm::vec3> bounds) {
+std::string cluster_text(const PointAnswers& of, Property property, std::uint32_t node) {
+  const PointCase& at = of.at;
+  const glm::vec3& bound = of.bounds()[node];
   const std::uint32_t count = at.topology().light_count(node);
   const std::uint32_t representative = at.topology().representative(node);
   std::string text = fmt::format("node {} of {}: {} light{}", node, at.topology().size(), count,
                                  count == 1 ? "" : "s");
   if (representative != TreeClaim::unsaid)
     text += fmt::format(", represented by light {}", representative);
-  const LibraryCluster cluster(judged, at, node);
+  const LibraryCluster cluster(of.judged, at, node);
   text += "\n" + lights_text(at, node) + "\n";
   if (!cluster.tree->empty()) text += box_and_suprema(*cluster.tree, cluster.node, at.point);
   text +=
       "bound = intensity max emission (diffuse/pi max(n.l falloff) + max(lobe n.l falloff))\n\n";
-  const Sides sides = sides_of(judged, property, at, node, bounds);
-  text += channel_head() + truth_rows(judged, property, at, node, bounds);
-  text += number_row("the library's bound", cluster.bound(at.point));
-  text += number_row("the subject's bound", bounds[node]);
+  const auto others = info(property).sides;
+  const BothSides sides = others != nullptr ? others(of, node) : bound_sides(of, node);
+  text += channel_head() + row_of("truth, 700 bits", [&](int c) {
+            return oracle::text_of(at.truth.exact_open(node, c), 20);
+          });
+  text += sides.rows + number_row("the library's bound", cluster.bound(at.point));
+  text += number_row("the subject's bound", bound);
   text += row_of("truth / its bound", [&](int c) -> std::string {
-    const double ratio = ratio_of(at.truth.open(node)[std::size_t(c)], bounds[node][c]);
+    const double ratio = ratio_of(at.truth.open(node)[std::size_t(c)], bound[c]);
     return ratio == std::numeric_limits<double>::max() ? "inf" : fmt::format("{:.9g}", ratio);
   });
-  return text + "\n" + parting(cluster, sides, property, at, node);
+  return text + "\n" + parting(cluster, sides, others == nullptr, at, node);
 }
 
 } // namespace
 
-std::string explain_cluster(const Judged& judged, Property property, const PointCase& at) {
-  if (!judged.has(Part::bounds)) return {};
-  std::vector<glm::vec3> bounds(at.topology().size());
-  judged.tree.bounds(at.point, bounds);
-  const auto node = failing_cluster(judged, property, at, bounds);
-  return node ? cluster_text(judged, property, at, *node, bounds) : std::string();
+std::string explain_cluster(const PointAnswers& of, Property property) {
+  const auto node = failing_cluster(of, property);
+  return node ? cluster_text(of, property, *node) : std::string();
 }
 
 } // namespace lightcuts::oracle

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include <oracle/campaign/check_case.h>
-#include <oracle/properties/case_properties.h>
-
 #include <oracle/explain/explain_parts.h>
+#include <oracle/properties/cut_answer.h>
+#include <oracle/properties/judge.h>
+#include <oracle/properties/text_rows.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -22,11 +22,8 @@ struct KeptCut {
   std::vector<CutCluster> clusters;
   Cut cut;
 
-  KeptCut(const Judged& judged, const CutConfig& with, const PointCase& at, bool all_seen = false)
-      : config(with) {
-    cut = judged.tree.select(at.point, config, [&](std::uint32_t light) {
-      return all_seen || (light < at.visible.size() && at.visible[light] != 0);
-    });
+  KeptCut(const PointAnswers& of, const ChosenCut& chosen)
+      : config(chosen.config), cut(of.select(config, chosen.all_seen)) {
     clusters.assign(cut.clusters.begin(), cut.clusters.end());
     cut.clusters = clusters;
   }
@@ -55,18 +52,18 @@ double share(const glm::vec3& bound, const KeptCut& cut) {
 /// A line per cluster, from the root down to the cut.
 class Refinement {
 public:
-  Refinement(const Judged& judged, const KeptCut& cut, const PointCase& at)
-      : judged_(judged), cut_(cut), at_(at), place_(at.topology().size(), none),
-        leads_(at.topology().size(), false) {
+  Refinement(const PointAnswers& of, const KeptCut& cut)
+      : of_(of), cut_(cut), place_(of.topology().size(), none),
+        leads_(of.topology().size(), false) {
     std::string strays;
     for (std::size_t i = 0; i < cut.clusters.size(); ++i)
       if (cut.clusters[i].node < place_.size() && place_[cut.clusters[i].node] == none)
         place_[cut.clusters[i].node] = i;
       else
         strays += fmt::format("  {:<20}once more, or no node at all\n", cut.clusters[i].node);
-    const auto nodes = at.topology().parents_first();
+    const auto nodes = of.topology().parents_first();
     for (auto i = nodes.rbegin(); i != nodes.rend(); ++i)
-      for (const std::uint32_t child : at.topology().children(*i))
+      for (const std::uint32_t child : of.topology().children(*i))
         leads_[*i] = leads_[*i] || leads_[child] || place_[child] != none;
     text_ = fmt::format("  {:<20}{:>8}{:>16}{:>16}{:>14}\n", "node", "lights", "bound", "estimate",
                         "of allowed");
@@ -88,7 +85,7 @@ private:
       const auto [node, depth] = open.back();
       open.pop_back();
       text_ += line(node, depth);
-      const auto children = at_.topology().children(node);
+      const auto children = of_.topology().children(node);
       for (auto child = children.rbegin(); leads_[node] && child != children.rend(); ++child)
         open.emplace_back(*child, depth + 1);
     }
@@ -97,17 +94,16 @@ private:
   [[nodiscard]] std::string line(std::uint32_t node, std::size_t depth) const {
     const std::string name =
         std::string(std::min<std::size_t>(depth, 12), ' ') + fmt::format("{}", node);
-    const std::string start = fmt::format("  {:<20}{:>8}", name, at_.topology().light_count(node));
+    const std::string start = fmt::format("  {:<20}{:>8}", name, of_.topology().light_count(node));
     if (place_[node] != none) {
       const CutCluster& c = cut_.clusters[place_[node]];
       return start + numbers(c.bound, c.estimate) + "in the cut" + (c.visible ? "" : ", hidden") +
              (leads_[node] ? ", and others below" : "") + "\n";
     }
     const char* what = leads_[node] ? "refined" : "MISSING";
-    if (!judged_.has(Part::bounds) || !judged_.has(Part::estimates))
+    if (!of_.judged.has(Part::bounds) || !of_.judged.has(Part::estimates))
       return start + fmt::format("{:48}{}\n", "", what);
-    const glm::vec3 bound = judged_.tree.bound(node, at_.point);
-    return start + numbers(bound, seen_estimate(judged_, node, at_, bound)) + what + "\n";
+    return start + numbers(of_.bounds()[node], of_.estimates()[node]) + what + "\n";
   }
 
   [[nodiscard]] std::string numbers(const glm::vec3& bound, const glm::dvec3& estimate) const {
@@ -115,9 +111,8 @@ private:
                        std::max({estimate.x, estimate.y, estimate.z}), share(bound, cut_));
   }
 
-  const Judged& judged_;
+  const PointAnswers& of_;
   const KeptCut& cut_;
-  const PointCase& at_;
   std::vector<std::size_t> place_; ///< per node, in the cut; or none
   std::vector<bool> leads_;        ///< per node, whether clusters of the cut are below
   std::string text_;
@@ -152,80 +147,47 @@ std::string totals_text(const KeptCut& cut, const PointCase& at) {
          number_row("certified error", cut.cut.certified_error);
 }
 
-std::string cut_text(const Judged& judged, const KeptCut& cut, const PointCase& at) {
+std::string cut_text(const PointAnswers& of, const KeptCut& cut) {
   return fmt::format("cut: {}\nrefinement, children below their parents; of bounds and estimates "
                      "the largest channel;\n\"of allowed\" = bound / max(threshold * total, black "
                      "level), in the worst channel\n",
                      oracle::text_of(cut.config)) +
-         Refinement(judged, cut, at).text() +
+         Refinement(of, cut).text() +
          fmt::format("it ended with {} cluster{}, as it says: {}\n\n", cut.clusters.size(),
                      cut.clusters.size() == 1 ? "" : "s", text_of(cut.cut.end)) +
-         totals_text(cut, at);
+         totals_text(cut, of.at);
 }
 
-/// The cluster whose bound exceeds what is allowed the most.
-std::string worst_cluster(const Judged& judged, const KeptCut& cut, const PointCase& at) {
-  double worst = 0;
-  std::uint32_t node = 0;
-  for (const CutCluster& c : cut.clusters) {
-    if (c.node >= at.topology().size() || at.topology().light_count(c.node) == 1) continue;
-    const double r = share(judged.tree.bound(c.node, at.point), cut);
-    if (r <= worst) continue;
-    worst = r;
-    node = c.node;
-  }
-  return wrapped(fmt::format("they part here: the bound of node {} is {:.6g} times what is "
-                             "allowed, and yet refinement ended with {} clusters of at most {}",
-                             node, worst, cut.clusters.size(), cut.config.max_size));
-}
+std::string parting(std::string where) { return "\n" + wrapped("they part here: " + where); }
 
-std::string parting(const Judged& judged, Property property, const KeptCut& cut,
-                    const PointCase& at, const std::string& message) {
-  const bool too_large = cut.clusters.size() > cut.config.max_size;
-  if (property == Property::cut_obeys_threshold && judged.has(Part::bounds) && !too_large)
-    return "\n" + worst_cluster(judged, cut, at);
-  return "\n" + wrapped("they part here: " + message);
-}
-
-std::string one_cut(const Judged& judged, Property property, const Case& on, const PointCase& at) {
-  for (const CutConfig& config : cuts_of(on)) {
-    const KeptCut cut(judged, config, at);
+std::string one_cut(const PointAnswers& of, Property property, const CutConfig& configured) {
+  for (const CutConfig& config : cuts_of(configured, of.at.lights().size())) {
+    const KeptCut cut(of, {config});
     Tally tally;
-    check_cut(judged, config, cut.cut, at, tally);
-    if (tally[property].violations > 0)
-      return cut_text(judged, cut, at) +
-             parting(judged, property, cut, at, tally[property].first_violation);
+    Judge(of.judged.parts, 0, tally, property).cut(of, config, cut.cut);
+    if (tally[property].violations == 0) continue;
+    std::string where;
+    if (const auto part = info(property).parting) where = part(CutAnswer(of, config, cut.cut));
+    return cut_text(of, cut) + parting(where.empty() ? tally[property].first_violation : where);
   }
   return {};
 }
 
-/// The two cuts of check_nesting() or check_darkening().
-std::string two_cuts(const Judged& judged, const KeptCut& one, const KeptCut& other,
-                     const PointCase& at, const std::string& message) {
-  return cut_text(judged, one, at) + "\n" + cut_text(judged, other, at) + "\n" +
-         wrapped("they part here: " + message);
+std::string two_cuts(const PointAnswers& of, Property property, const CutConfig& config) {
+  Tally tally;
+  Judge(of.judged.parts, 0, tally, property).point(of, config);
+  if (tally[property].violations == 0) return {};
+  const TwoCuts cuts = info(property).two_cuts(of, config);
+  return cut_text(of, {of, cuts.one}) + "\n" + cut_text(of, {of, cuts.other}) +
+         parting(tally[property].first_violation);
 }
 
 } // namespace
 
-std::string explain_cut(const Judged& judged, Property property, const Case& on,
-                        const PointCase& at) {
-  if (!judged.has(Part::cuts)) return {};
-  if (std::string text = one_cut(judged, property, on, at); !text.empty()) return text;
-  Tally tally;
-  check_nesting(judged, on.cut, at, tally);
-  check_darkening(judged, at, tally);
-  if (tally[property].violations == 0) return {};
-  const std::string& message = tally[property].first_violation;
-  if (property == Property::tighter_threshold_refines) {
-    CutConfig coarse = on.cut;
-    coarse.black_level = 0;
-    CutConfig fine = coarse;
-    fine.threshold /= 4;
-    return two_cuts(judged, {judged, coarse, at}, {judged, fine, at}, at, message);
-  }
-  const CutConfig exact{0, std::uint32_t(at.lights().size()), 0};
-  return two_cuts(judged, {judged, exact, at, true}, {judged, exact, at}, at, message);
+std::string explain_cut(const PointAnswers& of, Property property, const CutConfig& config) {
+  if (!of.judged.has(Part::cuts)) return {};
+  if (info(property).of_cut != nullptr) return one_cut(of, property, config);
+  return info(property).two_cuts != nullptr ? two_cuts(of, property, config) : std::string();
 }
 
 } // namespace lightcuts::oracle

@@ -1,55 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <string>
 
-#include <fmt/format.h>
+#include <oracle/properties/point_case.h>
 
-#include <oracle/cases/case.h>
-#include <oracle/cases/case_text.h>
-#include <oracle/properties/point_properties.h>
-
-/// What explain() is made of.
+/// The parts of explain(), each of which shows nothing where the property is not about that, or
+/// holds.
 namespace lightcuts::oracle {
 
-/// A name, a value and a remark, one below the other's.
-inline std::string line(const std::string& name, const std::string& value,
-                        const std::string& note = "") {
-  std::string text = fmt::format("  {:<20} {:<24} {}", name, value, note);
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text + "\n";
-}
+/// The first cluster at the point on which the property does not hold, step by step.
+[[nodiscard]] std::string explain_cluster(const PointAnswers& of, Property property);
 
-/// A name, and a text per channel.
-inline std::string row(const std::string& name, const std::array<std::string, 3>& channels) {
-  return line(name, channels[0], fmt::format("{:<24} {}", channels[1], channels[2]));
-}
+/// The first cut at the point on which the property does not hold, cluster by cluster.
+[[nodiscard]] std::string explain_cut(const PointAnswers& of, Property property,
+                                      const CutConfig& config);
 
-template <class ChannelText>
-std::string row_of(const std::string& name, ChannelText&& text) {
-  return row(name, {text(0), text(1), text(2)});
-}
-
-/// Of doubles or floats.
-template <class Vector>
-std::string number_row(const std::string& name, const Vector& v) {
-  return row_of(name, [&](int c) { return fmt::format("{:.17g}", double(v[c])); });
-}
-
-inline std::string channel_head() { return row("", {"r", "g", "b"}); }
-
-/// The first cluster at the point on which the property of bounds does not hold, step by step; or
-/// nothing.
-[[nodiscard]] std::string explain_cluster(const Judged& judged, Property property,
-                                          const PointCase& at);
-
-/// The first cut at the point on which the property does not hold, cluster by cluster; or nothing.
-[[nodiscard]] std::string explain_cut(const Judged& judged, Property property, const Case& on,
-                                      const PointCase& at);
-
-/// The tree node by node; or nothing, where the property is about something else and it is a tree.
+/// The tree node by node, also where it is no tree at all.
 [[nodiscard]] std::string explain_tree(const TreeClaim& claim, const LightSet& lights,
                                        Property property);
 

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/explain/failing_place.h>
 
-#include <vector>
+#include <memory>
 
+#include <oracle/properties/cut_answer.h>
 #include <oracle/properties/each_view.h>
 
 namespace lightcuts::oracle {
 namespace {
 
 /// How the first cut that breaks the property is configured.
-std::optional<CutConfig> failing_cut(const Judged& judged, Property property, const Case& on,
-                                     const PointCase& at) {
-  if (!judged.has(Part::cuts)) return std::nullopt;
-  const auto visible = [&at](std::uint32_t light) {
-    return light < at.visible.size() && at.visible[light] != 0;
-  };
-  for (const CutConfig& config : cuts_of(on)) {
+std::optional<CutConfig> failing_cut(const PointAnswers& of, Property property,
+                                     const CutConfig& configured) {
+  for (const CutConfig& config : cuts_of(configured, of.at.lights().size())) {
     Tally tally;
-    check_cut(judged, config, judged.tree.select(at.point, config, visible), at, tally);
+    Judge(of.judged.parts, 0, tally, property).cuts(of, {&config, 1});
     if (tally[property].violations > 0) return config;
   }
   return std::nullopt;
@@ -25,12 +22,11 @@ std::optional<CutConfig> failing_cut(const Judged& judged, Property property, co
 
 } // namespace
 
-std::optional<std::uint32_t> failing_cluster(const Judged& judged, Property property,
-                                             const PointCase& at,
-                                             std::span<const glm::vec3> bounds) {
-  for (std::uint32_t node = 0; node < bounds.size(); ++node) {
-    Tally tally;
-    check_cluster(judged, node, at, bounds, tally);
+std::optional<std::uint32_t> failing_cluster(const PointAnswers& of, Property property) {
+  Tally tally;
+  const Judge judge(of.judged.parts, 0, tally, property);
+  for (std::uint32_t node = 0; node < of.topology().size(); ++node) {
+    judge.clusters(of, {node, node + 1});
     if (tally[property].violations > 0) return node;
   }
   return std::nullopt;
@@ -45,14 +41,10 @@ std::optional<FailingPlace> failing_place(const Subject& subject, const Countere
   const Judged judged{*tree, subject.parts()};
   std::optional<FailingPlace> place;
   for_each_view(c.on, *reading.topology, lights, 0, [&](std::size_t view, const PointCase& at) {
-    if (judged.has(Part::bounds)) {
-      std::vector<glm::vec3> bounds(at.topology().size());
-      judged.tree.bounds(at.point, bounds);
-      if (const auto node = failing_cluster(judged, c.property, at, bounds))
-        place = {view, node, c.on.cut};
-    }
-    if (place) return true;
-    if (const auto cut = failing_cut(judged, c.property, c.on, at))
+    const PointAnswers answers(judged, at);
+    if (const auto node = failing_cluster(answers, c.property))
+      place = {view, node, c.on.cut};
+    else if (const auto cut = failing_cut(answers, c.property, c.on.cut))
       place = {view, std::nullopt, *cut};
     return place.has_value();
   });

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include <oracle/campaign/hunt.h>
-#include <oracle/properties/point_properties.h>
 
 namespace lightcuts::oracle {
 
@@ -24,10 +23,8 @@ struct FailingPlace {
 [[nodiscard]] std::optional<FailingPlace> failing_place(const Subject& subject,
                                                         const Counterexample& counterexample);
 
-/// The first cluster, by index, on which the property does not hold at the point, given the bounds
-/// of all.
-[[nodiscard]] std::optional<std::uint32_t> failing_cluster(const Judged& judged, Property property,
-                                                           const PointCase& at,
-                                                           std::span<const glm::vec3> bounds);
+/// The first cluster, by index, on which the property does not hold at the point.
+[[nodiscard]] std::optional<std::uint32_t> failing_cluster(const PointAnswers& of,
+                                                           Property property);
 
 } // namespace lightcuts::oracle

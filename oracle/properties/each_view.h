@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <oracle/cases/case.h>
-#include <oracle/properties/point_properties.h>
+#include <oracle/properties/point_case.h>
 
 namespace lightcuts::oracle {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include <oracle/properties/point_properties.h>
+#include <oracle/properties/point_case.h>
 
 namespace lightcuts::oracle {
 

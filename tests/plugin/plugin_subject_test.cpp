@@ -13,7 +13,7 @@
 #include <lightcuts/render/io/open_scene.h>
 #include <lightcuts/render/scene/builtin_scenes.h>
 #include <oracle/campaign/check.h>
-#include <oracle/campaign/check_case.h>
+#include <oracle/properties/judge.h>
 #include <oracle/campaign/hunt.h>
 
 #include <tests/plugin/plugins.h>
@@ -64,9 +64,9 @@ CheckResult checked(const Subject& subject) {
 /// Names of the properties that do not hold.
 std::set<std::string> broken_names(const Tally& tally) {
   std::set<std::string> names;
-  for (std::size_t i = 0; i < property_count; ++i)
-    if (tally[Property(i)].violations > 0 && info(Property(i)).severity == Severity::violation)
-      names.insert(info(Property(i)).name);
+  for (const Property p : all_properties)
+    if (tally[p].violations > 0 && info(p).severity == Severity::violation)
+      names.insert(info(p).name);
   return names;
 }
 

@@ -43,9 +43,9 @@ TEST_P(Campaign, FindsNoViolation) {
     const SceneView view(scene);
     const CheckResult result =
         check(view, *library_subject(), {.pairs = pairs_of_scene, .threads = 1});
-    for (std::size_t i = 0; i < property_count; ++i) {
-      const PropertyCount& count = result.tally[Property(i)];
-      EXPECT_EQ(count.violations, 0U) << info(Property(i)).name << ": " << count.first_violation;
+    for (const Property p : all_properties) {
+      const PropertyCount& count = result.tally[p];
+      EXPECT_EQ(count.violations, 0U) << info(p).name << ": " << count.first_violation;
     }
     for (const Property p : reached_by_check) EXPECT_GT(result.tally[p].cases, 0U) << info(p).name;
     EXPECT_GE(result.pairs, pairs_of_scene);
@@ -67,10 +67,10 @@ TEST(LocallyOrderedCampaign, FindsNothingButTreesThatCostMore) {
   const Scene scene = make_builtin("cloud?lights=2000&kind=mixed&material=ggx&blocks=20");
   const CheckResult result =
       check(SceneView(scene), *locally_ordered_subject(), {.pairs = pairs_of_scene, .threads = 1});
-  for (std::size_t i = 0; i < property_count; ++i) {
-    if (Property(i) == Property::tree_equals_naive) continue;
-    const PropertyCount& count = result.tally[Property(i)];
-    EXPECT_EQ(count.violations, 0U) << info(Property(i)).name << ": " << count.first_violation;
+  for (const Property p : all_properties) {
+    if (p == Property::tree_equals_naive) continue;
+    const PropertyCount& count = result.tally[p];
+    EXPECT_EQ(count.violations, 0U) << info(p).name << ": " << count.first_violation;
   }
   EXPECT_GE(result.pairs, pairs_of_scene);
 }

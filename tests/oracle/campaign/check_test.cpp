@@ -29,17 +29,6 @@ CheckResult check_library(const Scene& scene, const CheckConfig& config) {
   return check(view, *library_subject(), config);
 }
 
-bool same_counts(const Tally& a, const Tally& b) {
-  for (std::size_t i = 0; i < property_count; ++i) {
-    const PropertyCount& p = a[Property(i)];
-    const PropertyCount& q = b[Property(i)];
-    if (p.cases != q.cases || p.violations != q.violations || p.worst_ratio != q.worst_ratio ||
-        p.first_place != q.first_place || p.first_violation != q.first_violation)
-      return false;
-  }
-  return true;
-}
-
 TEST(Check, FindsNothingWrongWithTheLibrary) {
   const CheckResult result = check_library(shaded_floor_scene(40), config_of(20'000));
   EXPECT_THAT(violated(result.tally), IsEmpty());
@@ -55,7 +44,7 @@ TEST(Check, CountsTheSameForAnyNumberOfThreads) {
   EXPECT_GT(one.tally.violations(), 0U);
   for (const unsigned threads : {2U, 5U}) {
     const CheckResult many = check(view, *subject, config_of(6'000, threads));
-    EXPECT_TRUE(same_counts(one.tally, many.tally)) << threads << " threads";
+    EXPECT_TRUE(one.tally == many.tally) << threads << " threads";
     EXPECT_EQ(one.rays, many.rays);
     EXPECT_EQ(one.undecided_rays, many.undecided_rays);
   }
@@ -145,7 +134,7 @@ TEST(Check, GoesOnAsIfItHadNotStopped) {
       EXPECT_EQ(result.points, points);
       EXPECT_TRUE(result.complete);
     }
-    EXPECT_TRUE(same_counts(whole.tally, result.tally));
+    EXPECT_TRUE(whole.tally == result.tally);
     EXPECT_EQ(whole.rays, result.rays);
     EXPECT_EQ(whole.swept_pairs, result.swept_pairs);
   }
@@ -199,9 +188,9 @@ TEST(Check, DependsOnTheSeed) {
   const Scene scene = shaded_floor_scene(20);
   CheckConfig config = config_of(2'000);
   const CheckResult one = check_library(scene, config);
-  EXPECT_TRUE(same_counts(one.tally, check_library(scene, config).tally));
+  EXPECT_TRUE(one.tally == check_library(scene, config).tally);
   config.seed = 2;
-  EXPECT_FALSE(same_counts(one.tally, check_library(scene, config).tally));
+  EXPECT_FALSE(one.tally == check_library(scene, config).tally);
 }
 
 TEST(Check, ReportsProgressUpToTheEnd) {

@@ -232,9 +232,9 @@ TEST(Explain, StaysWithinAHundredColumns) {
     const auto subject = mutant_named(name)->subject();
     for (std::uint64_t index = 0; index < 60; ++index) {
       const Case on = random_case(3, index);
-      for (std::size_t i = 0; i < property_count; ++i)
-        if (const auto message = failure_of(*subject, Property(i), on)) {
-          const std::string text = explain(*subject, {Property(i), on, *message, index});
+      for (const Property p : all_properties)
+        if (const auto message = failure_of(*subject, p, on)) {
+          const std::string text = explain(*subject, {p, on, *message, index});
           EXPECT_LE(width(text), 100U) << text;
           EXPECT_THAT(text, HasSubstr("It does not hold: "));
         }

@@ -2,6 +2,7 @@
 #include <oracle/explain/failing_place.h>
 
 #include <gtest/gtest.h>
+#include <oracle/properties/cut_answer.h>
 #include <oracle/subjects/subjects.h>
 
 namespace lightcuts::oracle {
@@ -37,7 +38,7 @@ TEST(FailingPlace, IsAPointWithoutAClusterForCuts) {
   EXPECT_GE(place->view, 1U);
   EXPECT_FALSE(place->node);
   // One of too many clusters: not an exact one, which may have all.
-  const auto cuts = cuts_of(c.on);
+  const auto cuts = cuts_of(c.on.cut, c.on.lights.size());
   EXPECT_TRUE(place->cut == cuts[0] || place->cut == cuts[2]);
 }
 

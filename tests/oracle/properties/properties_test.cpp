@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/properties/properties.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -22,7 +23,7 @@ struct Event {
 };
 
 void record(Tally& tally, const Event& e) {
-  tally.record(e.property, e.holds, e.place, e.ratio, [&] { return std::to_string(e.place); });
+  tally[e.property].record(e.holds, e.place, e.ratio, [&] { return std::to_string(e.place); });
 }
 
 // Each place in one part only, as points are dealt out to threads.
@@ -36,17 +37,6 @@ rc::Gen<std::vector<Event>> events(std::uint64_t remainder) {
       }));
 }
 
-bool same(const Tally& a, const Tally& b) {
-  for (std::size_t i = 0; i < property_count; ++i) {
-    const PropertyCount& p = a[Property(i)];
-    const PropertyCount& q = b[Property(i)];
-    if (p.cases != q.cases || p.violations != q.violations || p.worst_ratio != q.worst_ratio ||
-        p.first_place != q.first_place || p.first_violation != q.first_violation)
-      return false;
-  }
-  return true;
-}
-
 std::ostream& operator<<(std::ostream& out, const Event& e) {
   return out << info(e.property).name << (e.holds ? " holds at " : " fails at ") << e.place;
 }
@@ -58,7 +48,7 @@ RC_GTEST_PROP(Tally, MergesInAnyOrder, ()) {
   Tally ab = a, ba = b;
   ab.merge(b);
   ba.merge(a);
-  RC_ASSERT(same(ab, ba));
+  RC_ASSERT(ab == ba);
   RC_ASSERT(ab.violations() == a.violations() + b.violations());
 }
 
@@ -68,7 +58,7 @@ RC_GTEST_PROP(Tally, CountsTheSameInPartsAsInOne, ()) {
   for (const Event& e : odd) record(whole, e), record(a, e);
   for (const Event& e : even) record(whole, e), record(b, e);
   b.merge(a);
-  RC_ASSERT(same(whole, b));
+  RC_ASSERT(whole == b);
 }
 
 TEST(Tally, DescribesTheViolationAtTheLowestPlace) {
@@ -107,15 +97,26 @@ TEST(RatioOf, IsAlwaysANumberThatJsonCanSay) {
 
 TEST(Info, NamesEveryPropertyOnce) {
   std::set<std::string> names;
-  for (std::size_t i = 0; i < property_count; ++i) {
-    const PropertyInfo& p = info(Property(i));
+  for (const Property property : all_properties) {
+    const PropertyInfo& p = info(property);
     names.insert(p.name);
+    EXPECT_EQ(property_named(p.name), property);
     EXPECT_EQ(std::string(p.statement).back(), '.');
     EXPECT_NE(std::string(p.formula), "");
   }
   EXPECT_EQ(names.size(), property_count);
-  EXPECT_STREQ(info(Property::bound_dominates_contribution).name, "bound-dominates-contribution");
-  EXPECT_STREQ(info(Property::occlusion_equals_brute_force).name, "occlusion-equals-brute-force");
+}
+
+// Tests and files are called what reports are to say.
+TEST(Info, NamesPropertiesAsTheTableDoes) {
+#define LIGHTCUTS_IDENTIFIER(name) #name,
+  const std::array identifiers{LIGHTCUTS_PROPERTIES(LIGHTCUTS_IDENTIFIER)};
+#undef LIGHTCUTS_IDENTIFIER
+  for (const Property p : all_properties) {
+    std::string name = identifiers[std::size_t(p)];
+    std::replace(name.begin(), name.end(), '_', '-');
+    EXPECT_EQ(info(p).name, name);
+  }
 }
 
 } // namespace

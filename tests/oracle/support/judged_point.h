@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <lightcuts/core/tree/tree_builder.h>
-#include <oracle/properties/point_properties.h>
+#include <oracle/properties/judge.h>
 #include <oracle/subjects/library_subject.h>
 
 namespace lightcuts::oracle {
@@ -80,11 +80,26 @@ inline constexpr std::array reached_by_check{
     Property::brdf_is_reciprocal,          Property::brdf_conserves_energy,
     Property::occlusion_equals_brute_force};
 
+/// What judge(Judge, PointAnswers) counts of the tree at the point: of all properties, or of one.
+template <class F>
+Tally judged_at(SubjectTree& tree, const JudgedPoint& judged, F&& judge,
+                Parts parts = library_parts, std::optional<Property> only = std::nullopt) {
+  Tally tally;
+  judge(Judge(parts, judged.at().place, tally, only), PointAnswers({tree, parts}, judged.at()));
+  return tally;
+}
+
+/// Of all clusters.
+inline Tally judged_clusters(SubjectTree&& tree, const JudgedPoint& judged) {
+  return judged_at(tree, judged,
+                   [](const Judge& judge, const PointAnswers& of) { judge.clusters(of); });
+}
+
 /// The properties that were violated.
 inline std::vector<Property> violated(const Tally& tally) {
   std::vector<Property> list;
-  for (std::size_t i = 0; i < property_count; ++i)
-    if (tally[Property(i)].violations > 0) list.push_back(Property(i));
+  for (const Property p : all_properties)
+    if (tally[p].violations > 0) list.push_back(p);
   return list;
 }
 

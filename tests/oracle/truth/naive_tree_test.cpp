@@ -90,7 +90,7 @@ RC_GTEST_PROP(NaiveTree, IsATreeOfTheLibraryAndCostsWhatItsDefinitionSays, ()) {
   const LightSet lights = (*gen::scene_of(kind, 0, false, 16)).light_set();
   const LightTree tree = naive_tree(lights);
   Tally tally;
-  const auto topology = check_tree(claim_of(tree), lights, 0, tally);
+  const auto topology = Judge(0, 0, tally).tree(claim_of(tree), lights);
   RC_ASSERT(violated(tally).empty());
   const double cost = naive_tree_cost(lights);
   if (!std::isfinite(cost)) return;
@@ -110,8 +110,8 @@ TEST(NaiveTree, TakesAnotherMetric) {
   const LightTree farthest =
       naive_tree(lights, [](const auto& a, const auto& b) { return -greedy_metric(a, b); });
   Tally tally;
-  const auto topology = check_tree(claim_of(farthest), lights, 0, tally);
-  EXPECT_THAT(violated(tally), IsEmpty());
+  const auto topology = Judge(0, 0, tally).tree(claim_of(farthest), lights);
+  EXPECT_EQ(tally.violations(), 0U);
   EXPECT_GT(tree_cost(*topology, lights), naive_tree_cost(lights));
 }
 
@@ -123,7 +123,7 @@ TEST(NaiveTree, GivesBoundsThatHold) {
       diffuse_point(), std::vector<char>(9, 1));
   LibraryTree tree = judged.library();
   Tally tally;
-  check_clusters({tree, library_parts}, judged.at(), tally);
+  Judge(library_parts, 0, tally).clusters(PointAnswers({tree, library_parts}, judged.at()));
   EXPECT_THAT(violated(tally), IsEmpty());
 }
 

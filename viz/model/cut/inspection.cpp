@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 #include <lightcuts/core/numerics/exact_dot.h>
-#include <oracle/properties/point_properties.h>
+#include <oracle/properties/point_case.h>
 #include <oracle/truth/clairvoyant.h>
 
 namespace lightcuts::viz {

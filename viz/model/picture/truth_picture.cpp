@@ -6,7 +6,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-#include <oracle/properties/point_properties.h>
+#include <oracle/properties/judge.h>
 #include <oracle/truth/clairvoyant.h>
 
 namespace lightcuts::viz {
@@ -38,10 +38,10 @@ void TruthPicture::judge(glm::uvec2 pixel, State& state) {
   if (judged.has(oracle::Part::bounds) && judged.has(oracle::Part::estimates))
     clairvoyant_[i] = float(clairvoyant_cut_size(judged, at, cut_.threshold, cut_.black_level));
   oracle::Tally tally;
-  check_clusters(judged, at, tally);
-  const auto sees = [&](std::uint32_t light) { return state.visible[light] != 0; };
-  if (judged.has(oracle::Part::cuts))
-    check_cut(judged, cut_, state.tree->select(p->point, cut_, sees), at, tally);
+  const oracle::Judge judge(judged.parts, 0, tally);
+  const oracle::PointAnswers answers(judged, at);
+  judge.clusters(answers);
+  judge.cuts(answers, {&cut_, 1});
   violations_[i] = float(tally.violations());
 }
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lightcuts/core/cut/stochastic_cut.h>
-#include <oracle/campaign/check_case.h>
+#include <oracle/properties/judge.h>
 
 #include <tests/viz/support/counterexample_file.h>
 #include <tests/viz/support/small_pictures.h>

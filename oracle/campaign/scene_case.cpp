@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/campaign/scene_case.h>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include <oracle/cases/random_pixels.h>
+
+namespace lightcuts::oracle {
+
+namespace {
+
+Case case_of_lights(const SceneView& view, const CheckConfig& config, std::uint64_t place,
+                    std::span<const std::uint32_t> chosen) {
+  const LightSet& lights = view.scene().lights;
+  const VisiblePoint p = random_point(view, config.seed, place);
+  Case c;
+  c.min_distance = lights.min_distance();
+  CaseView seen{{p.point.position(), p.point.normal(), p.point.to_viewer(), p.point.material()},
+                {}};
+  for (const std::uint32_t i : chosen) {
+    if (!view.sees(p, i)) seen.hidden.push_back(std::uint32_t(c.lights.size()));
+    c.lights.push_back(lights[i]);
+  }
+  c.views.push_back(std::move(seen));
+  c.cut = config.cut;
+  c.seed = config.tree_seed;
+  return c;
+}
+
+} // namespace
+
+Case case_of(const SceneView& view, const CheckConfig& config, std::uint64_t place) {
+  std::vector<std::uint32_t> all(view.scene().lights.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return case_of_lights(view, config, place, all);
+}
+
+Case excerpt_of(const SceneView& view, const CheckConfig& config, std::uint64_t place) {
+  constexpr std::size_t most = 12;
+  const std::size_t count = view.scene().lights.size();
+  std::vector<std::uint32_t> chosen;
+  for (std::uint64_t i = 0; i < std::min(most, count); ++i)
+    chosen.push_back(std::uint32_t(hashed(hashed(config.seed + 3, place), i) % count));
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  Case c = case_of_lights(view, config, place, chosen);
+  constexpr std::uint64_t every = 16 * points_per_full_check; // a second each
+  c.draws = place % every == 0 && place / every < most_cases_with_draws;
+  return c;
+}
+
+std::optional<Counterexample> counterexample_of(const Subject& subject, const SceneView& view,
+                                                const CheckConfig& config,
+                                                const CheckResult& result) {
+  for (const Property property : broken(result.tally)) {
+    const std::uint64_t place = result.tally[property].first_place;
+    if (place >= result.points) continue;
+    for (const auto make : {case_of, excerpt_of}) {
+      Case on = make(view, config, place);
+      if (auto message = failure_of(subject, property, on))
+        return Counterexample{property, std::move(on), std::move(*message), place};
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace lightcuts::oracle

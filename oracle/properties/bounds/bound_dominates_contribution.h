@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <oracle/properties/point_case.h>
+
+namespace lightcuts::oracle {
+
+/// Checks bound-dominates-contribution for one cluster, without a Truth.
+void check_bound(const Topology& topology, const LightSet& lights, const ShadingPoint& point,
+                 std::uint32_t node, const glm::vec3& bound, const Record& record);
+
+} // namespace lightcuts::oracle

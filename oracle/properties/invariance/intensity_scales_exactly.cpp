@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <oracle/properties/invariance/invariance.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+constexpr float factor = 128;
+
+bool brighten(Setting& s) {
+  return std::all_of(s.lights.begin(), s.lights.end(),
+                     [](Light& light) { return scale(light.intensity, factor); });
+}
+
+} // namespace
+
+const PropertyInfo property::intensity_scales_exactly{
+    .name = "intensity-scales-exactly",
+    .statement = "Lights 2^k times as bright: everything is, to the last bit.",
+    .formula = "bounds, radiance at threshold 0 and certified error, divided by 2^k",
+    .of_invariance = [](const Invariance& of,
+                        const Record& record) { of.exactly(brighten, factor, record); },
+};
+
+} // namespace lightcuts::oracle

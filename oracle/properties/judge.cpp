@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/properties/judge.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include <oracle/properties/cut_answer.h>
+#include <oracle/properties/each_view.h>
+#include <oracle/properties/invariance/invariance.h>
+#include <oracle/properties/shading/picture_case.h>
+#include <oracle/properties/tree_case.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+/// The properties that have such a check.
+template <auto of>
+std::span<const Property> with() {
+  static const std::vector<Property> list = [] {
+    std::vector<Property> those;
+    for (const Property p : all_properties)
+      if (info(p).*of != nullptr) those.push_back(p);
+    return those;
+  }();
+  return list;
+}
+
+constexpr DrawConfig draw_config{.false_alarms = 1e-6, .cases = most_cases_with_draws};
+
+} // namespace
+
+Judge::Judge(Parts parts, std::uint64_t place, Tally& tally, std::optional<Property> only)
+    : parts_(parts), place_(place), tally_(tally),
+      only_(only == Property::subject_answers ? std::nullopt : only) {}
+
+bool Judge::wants(Property property) const {
+  return (!only_ || *only_ == property) && (info(property).needs & ~parts_) == 0;
+}
+
+template <auto of>
+bool Judge::any() const {
+  const auto list = with<of>();
+  return std::any_of(list.begin(), list.end(), [&](Property p) { return wants(p); });
+}
+
+template <auto of, class... Place>
+void Judge::run(const Place&... place) const {
+  for (const Property p : with<of>())
+    if (wants(p)) (info(p).*of)(place..., record(p));
+}
+
+void Judge::subject(const Subject& subject) const { run<&PropertyInfo::of_subject>(subject); }
+
+std::optional<Topology> Judge::tree(TreeClaim claim, const LightSet& lights) const {
+  TopologyReading reading = read_topology(std::move(claim), lights.size());
+  const Topology* topology = reading.topology ? &*reading.topology : nullptr;
+  run<&PropertyInfo::of_tree>(TreeCase{lights, reading.defect, topology});
+  return std::move(reading.topology);
+}
+
+void Judge::clusters(const PointAnswers& of, NodeRange nodes) const {
+  if (has(Part::bounds)) run<&PropertyInfo::of_clusters>(of, nodes);
+}
+
+void Judge::cut(const PointAnswers& of, const CutConfig& config, const Cut& cut) const {
+  run<&PropertyInfo::of_cut>(CutAnswer(of, config, cut));
+}
+
+void Judge::cuts(const PointAnswers& of, std::span<const CutConfig> configs) const {
+  if (!has(Part::cuts) || !any<&PropertyInfo::of_cut>()) return;
+  for (const CutConfig& config : configs) cut(of, config, of.select(config));
+}
+
+void Judge::point(const PointAnswers& of, const CutConfig& config) const {
+  run<&PropertyInfo::of_point>(of, config);
+}
+
+void Judge::odds(const PointAnswers& of) const {
+  if (!has(Part::sampling) || !any<&PropertyInfo::of_odds>()) return;
+  for (std::uint32_t node = 0; node < of.topology().size(); ++node)
+    run<&PropertyInfo::of_odds>(ClusterOdds(of, node));
+}
+
+void Judge::draws(const PointAnswers& of, const CutConfig& cut, const DrawConfig& config) const {
+  if (!any<&PropertyInfo::of_draws>()) return;
+  if (const Draws draws(of, cut, config); draws.count() > 0) run<&PropertyInfo::of_draws>(draws);
+}
+
+void Judge::light(const ShadingPoint& point, const Light& light) const {
+  run<&PropertyInfo::of_light>(point, light);
+}
+
+void Judge::lobe(const Lobe& lobe) const { run<&PropertyInfo::of_lobe>(lobe); }
+
+void Judge::ray(const RayCase& of) const { run<&PropertyInfo::of_ray>(of); }
+
+void Judge::picture(const Subject& subject, const Case& on) const {
+  const bool pixels = has(Part::pictures) && any<&PropertyInfo::of_picture>();
+  const bool rays = any<&PropertyInfo::of_ray>();
+  if (on.triangles.empty() || (!pixels && !rays)) return;
+  const Scene scene = on.scene();
+  const SceneView view(scene);
+  if (pixels) run<&PropertyInfo::of_picture>(PictureCase(subject, on, view));
+  if (!rays) return;
+  RayCount count;
+  for (unsigned y = 0; y < view.size().y; ++y)
+    for (unsigned x = 0; x < view.size().x; ++x)
+      if (const auto p = view.at({x, y}))
+        for (std::uint32_t i = 0; i < scene.lights.size(); ++i) ray({subject, view, *p, i, count});
+}
+
+void Judge::invariance(const Subject& subject, const Case& on) const {
+  if (on.views.empty() || on.lights.empty() || !any<&PropertyInfo::of_invariance>()) return;
+  run<&PropertyInfo::of_invariance>(Invariance(subject, on));
+}
+
+void Judge::views(const Judged& judged, const Topology& topology, const LightSet& lights,
+                  const Case& on) const {
+  if (!any<&PropertyInfo::of_clusters>() && !any<&PropertyInfo::of_cut>() &&
+      !any<&PropertyInfo::of_odds>() && !any<&PropertyInfo::of_point>() &&
+      !any<&PropertyInfo::of_draws>())
+    return;
+  for_each_view(on, topology, lights, place_, [&](std::size_t, const PointCase& at) {
+    const PointAnswers answers(judged, at);
+    clusters(answers);
+    cuts(answers, cuts_of(on.cut, on.lights.size()));
+    odds(answers);
+    point(answers, on.cut);
+    if (on.draws) draws(answers, on.cut, draw_config);
+    return false;
+  });
+}
+
+void check_case(const Subject& subject, const Case& on, std::uint64_t place, Tally& tally,
+                std::optional<Property> only) {
+  const Judge judge(subject.parts(), place, tally, only);
+  judge.answers([&] {
+    judge.picture(subject, on);
+    judge.subject(subject);
+    const LightSet lights = on.light_set();
+    if (lights.empty()) return;
+    const std::unique_ptr<SubjectTree> tree = subject.build(lights, on.seed);
+    const std::optional<Topology> topology = judge.tree(tree->claim(), lights);
+    if (!topology) return;
+    judge.views({*tree, subject.parts()}, *topology, lights, on);
+    judge.invariance(subject, on);
+  });
+}
+
+} // namespace lightcuts::oracle

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <oracle/properties/sampling/cluster_odds.h>
+#include <oracle/properties/sampling/statistics.h>
+
+namespace lightcuts::oracle {
+
+/// How many draws there are.
+struct DrawConfig {
+  double false_alarms = 1e-6; ///< chance of any, in all cases of a run taken together
+  std::uint64_t cases = 1;    ///< that share it, each test having its Sidak share
+  std::uint64_t max_draws = 4'000'000;
+  std::uint64_t seed = 1;
+};
+
+/// A cluster of a random cut: which of its lights may light it.
+struct RandomCluster : ClusterOdds {
+  Wide mean{};                  ///< of the estimate, occlusion included, per channel
+  std::array<Spread, 3> spread; ///< of the estimate
+
+  RandomCluster(const PointAnswers& answers, std::uint32_t node);
+};
+
+/// What is gathered of random cuts.
+struct DrawSums {
+  std::array<long double, 3> radiance{};
+  std::vector<long double> products; ///< of neighbouring clusters' deviations
+  bool same_cut = true;
+};
+
+/// Random cuts at a point, drawn when first asked for: so many that a bias of 1 % of the mean in
+/// any channel, and a light that is drawn with a probability 0.05 off, each go unnoticed with a
+/// probability of at most 0.001. Independence is tested with the same draws and states no power.
+class Draws {
+public:
+  const PointAnswers& point;
+  const CutConfig& cut;
+
+  Draws(const PointAnswers& answers, const CutConfig& asked, const DrawConfig& config);
+
+  /// How many; none where that takes more than max_draws, or nothing is to be seen.
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  [[nodiscard]] double rate() const { return rate_; } ///< of false alarms, for one test
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
+  [[nodiscard]] const std::vector<RandomCluster>& clusters() const { return clusters_; }
+  /// In which most is to be seen.
+  [[nodiscard]] std::size_t brightest_channel() const { return channel_; }
+  /// Of the radiance.
+  [[nodiscard]] const Spread& spread(std::size_t channel) const { return spread_[channel]; }
+  [[nodiscard]] const DrawSums& sums() const;
+
+private:
+  [[nodiscard]] std::optional<std::uint64_t> needed(std::uint64_t most) const;
+  [[nodiscard]] DrawSums drawn() const;
+
+  std::uint64_t seed_, count_ = 0;
+  double rate_ = 0;
+  std::vector<RandomCluster> clusters_;
+  std::size_t channel_ = 0;
+  std::array<Spread, 3> spread_;
+  mutable std::optional<DrawSums> sums_;
+};
+
+} // namespace lightcuts::oracle

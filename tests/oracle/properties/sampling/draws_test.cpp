@@ -1,0 +1,603 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <oracle/cases/case.h>
+#include <oracle/cases/random_pixels.h>
+#include <oracle/mutants/mutants.h>
+#include <oracle/properties/sampling/statistics.h>
+#include <tests/oracle/support/judged_point.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr Parts parts = library_parts | only(Part::sampling) | only(Part::random_cuts);
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+using OwnTree = LibraryTree;
+using Visible = std::function<bool(std::uint32_t)>;
+using Clusters = std::vector<CutCluster>;
+
+OwnTree own(const JudgedPoint& judged) { return OwnTree(judged.tree); }
+
+/// What is not as the library has it.
+struct Changes {
+  std::function<double(double u)> number;                     ///< that sample() draws by
+  std::function<void(std::uint32_t node, DrawnLight&)> drawn; ///< by sample()
+  std::function<double(std::uint32_t node, std::uint32_t light, double p)> probability;
+  std::function<void(Clusters&, std::uint64_t query)> clusters; ///< of draw()
+};
+
+class MadeDraws : public OwnTree {
+public:
+  MadeDraws(const LightTree& tree, Changes changes) : OwnTree(tree), changes_(std::move(changes)) {}
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<MadeDraws>(*this);
+  }
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
+    DrawnLight drawn = OwnTree::sample(node, point, changes_.number ? changes_.number(u) : u);
+    if (changes_.drawn) changes_.drawn(node, drawn);
+    return drawn;
+  }
+  std::vector<double> probabilities(std::uint32_t node, const ShadingPoint& point,
+                                    std::span<const std::uint32_t> lights) override {
+    std::vector<double> p = OwnTree::probabilities(node, point, lights);
+    for (std::size_t i = 0; changes_.probability && i < p.size(); ++i)
+      p[i] = changes_.probability(node, lights[i], p[i]);
+    return p;
+  }
+  Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
+           const Visible& visible) override {
+    ++draws_;
+    Cut cut = OwnTree::draw(point, config, query, visible);
+    if (!changes_.clusters) return cut;
+    clusters_.assign(cut.clusters.begin(), cut.clusters.end());
+    changes_.clusters(clusters_, query);
+    glm::dvec3 total(0);
+    for (const CutCluster& c : clusters_) total += c.estimate;
+    cut.radiance = glm::vec3(total);
+    cut.clusters = clusters_;
+    return cut;
+  }
+  /// Calls of draw().
+  [[nodiscard]] std::uint64_t draws() const { return draws_; }
+
+private:
+  Changes changes_;
+  Clusters clusters_;
+  std::uint64_t draws_ = 0;
+};
+
+Tally probabilities_of(SubjectTree&& tree, const JudgedPoint& judged) {
+  return judged_at(
+      tree, judged, [](const Judge& judge, const PointAnswers& of) { judge.odds(of); }, parts);
+}
+
+Tally draws_of(SubjectTree& tree, const JudgedPoint& judged, const CutConfig& cut,
+               const DrawConfig& config = {}) {
+  return judged_at(
+      tree, judged,
+      [&](const Judge& judge, const PointAnswers& of) { judge.draws(of, cut, config); }, parts);
+}
+Tally draws_of(SubjectTree&& tree, const JudgedPoint& judged, const CutConfig& cut,
+               const DrawConfig& config = {}) {
+  return draws_of(tree, judged, cut, config);
+}
+
+constexpr std::array random_properties{Property::draws_follow_probabilities,
+                                       Property::draws_are_independent,
+                                       Property::stochastic_is_unbiased};
+
+/// Cases of what takes many draws.
+std::uint64_t random_cases(const Tally& tally) {
+  std::uint64_t sum = 0;
+  for (const Property p : random_properties) sum += tally[p].cases;
+  return sum;
+}
+
+/// Cuts of one, two, three clusters.
+CutConfig cut_of(std::uint32_t size) { return {0, size, 0}; }
+
+/// Four lights of colours that importance does not know, so that estimates spread; mostly blue.
+LightTree coloured_lights() {
+  LightSet lights;
+  lights.add_omni({0.2F, 0.1F, 0.9F}, {1.2F, 1, 2});
+  lights.add_omni({1, 0.4F, 1.3F}, {0.7F, 1, 3.4F});
+  lights.add_omni({-1.6F, 1, 1.1F}, {2, 1, 1.8F});
+  lights.add_omni({-1.9F, -0.5F, 1.7F}, {1, 1, 4.5F});
+  return build(lights);
+}
+
+/// Those as two clusters of two, or otherwise.
+struct FourLights : testing::Test {
+  const JudgedPoint judged{coloured_lights(), diffuse_point(), {1, 1, 1, 1}};
+
+  [[nodiscard]] MadeDraws with(Changes changes) const { return {judged.tree, std::move(changes)}; }
+  [[nodiscard]] MadeDraws
+  with_clusters(std::function<void(Clusters&, std::uint64_t)> clusters) const {
+    return with({.clusters = std::move(clusters)});
+  }
+  [[nodiscard]] MadeDraws scaled(double by) const {
+    return with_clusters([by](Clusters& all, std::uint64_t) {
+      for (CutCluster& c : all) c.estimate *= by;
+    });
+  }
+  /// Light by the random number u.
+  [[nodiscard]] glm::dvec3 lit(std::uint32_t node, double u) const {
+    const DrawnLight drawn = own(judged).sample(node, judged.point, u);
+    const Wide f = contribution(judged.tree.lights()[drawn.light], judged.point, 0);
+    return glm::dvec3(f[0], f[1], f[2]) / drawn.probability;
+  }
+  [[nodiscard]] glm::dvec3 mean(std::uint32_t node) const {
+    const Wide& f = judged.truth.seen(node);
+    return {f[0], f[1], f[2]};
+  }
+  /// Of the estimate of a cluster; blue is the brightest channel.
+  [[nodiscard]] Spread spread(std::uint32_t node, int channel = 2) const {
+    const std::vector<std::uint32_t> lights = judged.topology.all_lights(node);
+    Spread s;
+    for (const std::uint32_t light : lights) {
+      const double p = own(judged).probability(node, judged.point, light);
+      const Wide all = contribution(judged.tree.lights()[light], judged.point, 0);
+      const auto f = double(all[std::size_t(channel)]);
+      s.variance += p * std::pow(f / p - mean(node)[channel], 2);
+      s.range = std::max(s.range, std::abs(f / p - mean(node)[channel]));
+    }
+    return s;
+  }
+  [[nodiscard]] std::vector<std::uint32_t> nodes(const CutConfig& cut) const {
+    OwnTree tree = own(judged);
+    std::vector<std::uint32_t> list;
+    for (const CutCluster& c : tree.draw(judged.point, cut, 0, [](auto) { return true; }).clusters)
+      list.push_back(c.node);
+    return list;
+  }
+  /// What the documentation of DrawConfig says that each test has and how many draws there are.
+  [[nodiscard]] double rate(std::size_t clusters, const DrawConfig& config) const {
+    return sidak(sidak(config.false_alarms, config.cases), 3 + clusters - 1 + 4);
+  }
+  [[nodiscard]] std::uint64_t draws(const CutConfig& cut, const DrawConfig& config) const {
+    std::uint64_t most = 0;
+    const auto take = [&](double deviation, const Spread& of) {
+      most = std::max(most, draws_to_notice(deviation, of, rate(nodes(cut).size(), config), 0.001,
+                                            config.max_draws)
+                                .value());
+    };
+    for (int c = 0; c < 3; ++c) {
+      Spread sum;
+      for (const std::uint32_t node : nodes(cut)) {
+        sum.variance += spread(node, c).variance;
+        sum.range += spread(node, c).range;
+      }
+      take(0.01 * mean(0)[c], sum);
+    }
+    take(0.05, {0.25, 1});
+    return most;
+  }
+};
+
+// ---- the library
+
+/// A random case that is judged by draws.
+struct Lottery {
+  Case on;
+  JudgedPoint judged;
+
+  explicit Lottery(std::uint64_t index)
+      : on(random_case(1, 500 * index + 499)),
+        judged(build(on.light_set(), {on.seed}), on.views[0].view.point(), visible(on)) {}
+  static std::vector<char> visible(const Case& of) {
+    std::vector<char> list(of.lights.size(), 1);
+    for (const std::uint32_t hidden : of.views[0].hidden) list[hidden] = 0;
+    return list;
+  }
+};
+
+TEST(SamplingProperties, HoldForTheLibrary) {
+  std::array<std::uint64_t, 3> judged{};
+  for (std::uint64_t i = 0; i < 12; ++i) {
+    const Lottery lottery(i);
+    ASSERT_TRUE(lottery.on.draws) << i;
+    const Tally tally = draws_of(own(lottery.judged), lottery.judged, lottery.on.cut);
+    EXPECT_THAT(violated(tally), IsEmpty()) << i;
+    for (std::size_t k = 0; k < judged.size(); ++k)
+      judged[k] += tally[random_properties[k]].cases > 0 ? 1 : 0;
+    EXPECT_THAT(violated(probabilities_of(own(lottery.judged), lottery.judged)), IsEmpty());
+  }
+  for (const std::uint64_t count : judged) EXPECT_GE(count, 6U);
+}
+
+TEST_F(FourLights, AreDrawnRightByTheLibrary) {
+  for (const std::uint32_t size : {1U, 2U, 3U, 4U}) {
+    const Tally tally = draws_of(own(judged), judged, cut_of(size));
+    EXPECT_THAT(violated(tally), IsEmpty()) << size;
+    EXPECT_EQ(tally[Property::stochastic_is_unbiased].cases, 3U);
+    EXPECT_EQ(tally[Property::draws_are_independent].cases, std::uint64_t(size));
+  }
+}
+
+// What the documentation of sample() allows: where a light cannot contribute, none is drawn.
+TEST(SamplingProperties, AllowDrawingNoneWhereALightIsDark) {
+  LightSet lights;
+  lights.add_omni({0, 0, 1}, glm::vec3(1));
+  lights.add_omni({0, 0, -1}, glm::vec3(1));
+  const JudgedPoint judged(build(lights), diffuse_point(), {1, 1});
+  EXPECT_THAT(violated(probabilities_of(own(judged), judged)), IsEmpty());
+  const MadeDraws half(judged.tree, {.drawn = [](auto, DrawnLight& d) { d.probability *= 0.5; },
+                                     .probability = [](auto, auto, double p) { return p / 2; }});
+  EXPECT_THAT(violated(probabilities_of(MadeDraws(half), judged)),
+              ElementsAre(Property::probabilities_sum_to_one)); // of the leaf that shines
+}
+
+// ---- probabilities
+
+TEST_F(FourLights, ConvictADrawThatStatesAnotherProbability) {
+  for (const double by : {1.01, 1 + 0x1p-50, 0.5, not_a_number}) {
+    const Changes changes{.drawn = [by](auto, DrawnLight& d) { d.probability *= by; }};
+    EXPECT_THAT(violated(probabilities_of(with(changes), judged)),
+                ElementsAre(Property::draws_state_their_probability))
+        << by;
+  }
+}
+
+TEST_F(FourLights, ConvictADrawFromElsewhere) {
+  const std::uint32_t a = nodes(cut_of(2))[0];
+  const std::uint32_t other = judged.topology.all_lights(nodes(cut_of(2))[1])[0];
+  const Changes changes{.drawn = [&](std::uint32_t node, DrawnLight& d) {
+    if (node == a) d.light = other;
+  }};
+  EXPECT_THAT(violated(probabilities_of(with(changes), judged)),
+              ElementsAre(Property::draws_state_their_probability));
+}
+
+/// One of a cluster's two lights, never drawn.
+Changes without_one(std::uint32_t cluster, std::uint32_t dead, std::uint32_t other) {
+  return {.drawn =
+              [=](std::uint32_t node, DrawnLight& d) {
+                if (node == cluster) d = {other, 1};
+              },
+          .probability =
+              [=](std::uint32_t node, std::uint32_t light, double p) {
+                if (node != cluster) return p;
+                return light == dead ? 0.0 : 1.0;
+              }};
+}
+
+TEST_F(FourLights, ConvictASamplerThatForgetsALight) {
+  const std::uint32_t cluster = nodes(cut_of(2))[0];
+  const std::vector<std::uint32_t> lights = judged.topology.all_lights(cluster);
+  ASSERT_EQ(lights.size(), 2U);
+  Changes changes = without_one(cluster, lights[0], lights[1]);
+  EXPECT_THAT(violated(probabilities_of(with(changes), judged)),
+              ElementsAre(Property::contributing_lights_are_drawn));
+  const Wide f = contribution(judged.tree.lights()[lights[1]], judged.point, 0);
+  changes.clusters = [=](Clusters& all, std::uint64_t) {
+    for (CutCluster& c : all)
+      if (c.node == cluster) c.estimate = glm::dvec3(f[0], f[1], f[2]);
+  };
+  EXPECT_THAT(violated(draws_of(with(changes), judged, cut_of(2))),
+              Contains(Property::stochastic_is_unbiased));
+}
+
+/// All probabilities below 1 times that, stated as they are.
+Changes scaled_probabilities(double by) {
+  return {.drawn = [by](auto, DrawnLight& d) { d.probability *= d.probability < 1 ? by : 1; },
+          .probability = [by](auto, auto, double p) { return p < 1 ? p * by : p; }};
+}
+
+TEST_F(FourLights, ConvictProbabilitiesThatDoNotSumToOne) {
+  for (const double by : {1 + 0x1p-40, 1 - 0x1p-40, 1.01, 0.99})
+    EXPECT_THAT(violated(probabilities_of(with(scaled_probabilities(by)), judged)),
+                ElementsAre(Property::probabilities_sum_to_one))
+        << by;
+}
+
+TEST_F(FourLights, ConvictProbabilitiesThatAreNone) {
+  for (const double wrong : {not_a_number, -0.25, 1.25, double(INFINITY)}) {
+    const Changes changes{
+        .probability = [wrong](auto, auto, double p) { return p < 1 ? wrong : p; }};
+    EXPECT_THAT(violated(probabilities_of(with(changes), judged)),
+                Contains(Property::results_are_finite))
+        << wrong;
+  }
+}
+
+// ---- bias
+
+// The stated power, through all of the check: 20 independent chances to overlook it, each below
+// 0.001 in theory, and far below where Bernstein's inequality has room to spare.
+TEST_F(FourLights, ConvictABiasOfOnePercentWhateverIsDrawn) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    for (const double by : {1.01, 0.99})
+      EXPECT_THAT(
+          violated(draws_of(scaled(by), judged, cut_of(2), {.cases = 10'000, .seed = seed})),
+          Contains(Property::stochastic_is_unbiased))
+          << by << ' ' << seed;
+}
+
+TEST(SamplingProperties, ConvictABiasOfOnePercentInRandomCases) {
+  int convicted = 0;
+  for (std::uint64_t i = 0; i < 6; ++i)
+    for (const double by : {1.01, 0.99}) {
+      const Lottery lottery(i);
+      const Tally tally = draws_of(MadeDraws(lottery.judged.tree, {.clusters =
+                                                                       [by](Clusters& all, auto) {
+                                                                         for (CutCluster& c : all)
+                                                                           c.estimate *= by;
+                                                                       }}),
+                                   lottery.judged, lottery.on.cut);
+      if (random_cases(tally) == 0) continue;
+      EXPECT_THAT(violated(tally), Contains(Property::stochastic_is_unbiased)) << i;
+      ++convicted;
+    }
+  EXPECT_GE(convicted, 8);
+}
+
+// The power is stated for the channel that is brightest; the others spread more here.
+TEST_F(FourLights, ConvictABiasOfAnyOneChannel) {
+  for (const auto& [channel, by] : {std::pair{0, 1.03}, std::pair{1, 1.03}, std::pair{2, 1.01}}) {
+    const auto bias = [c = channel, f = by](Clusters& all, std::uint64_t) {
+      for (CutCluster& one : all) one.estimate[c] *= f;
+    };
+    const Tally tally = draws_of(with_clusters(bias), judged, cut_of(2));
+    EXPECT_EQ(tally[Property::stochastic_is_unbiased].violations, 1U) << channel;
+  }
+}
+
+// What is allowed is about half of what is noticed.
+TEST_F(FourLights, NeedNotConvictATenthOfAPercent) {
+  for (const double by : {1.001, 0.999}) {
+    const Tally tally = draws_of(scaled(by), judged, cut_of(2));
+    EXPECT_THAT(violated(tally), IsEmpty()) << by;
+    EXPECT_GT(tally[Property::stochastic_is_unbiased].worst_ratio, 0.01);
+  }
+}
+
+TEST_F(FourLights, ConvictWhatIsNoNumber) {
+  EXPECT_THAT(violated(draws_of(scaled(not_a_number), judged, cut_of(2))),
+              Contains(Property::stochastic_is_unbiased));
+}
+
+// ---- false alarms
+
+// At 0.05 for all tests of a case, more than 32 alarms in 200 cases have a probability below 1e-8.
+TEST_F(FourLights, RaiseNoMoreFalseAlarmsThanStated) {
+  int alarms = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const Tally tally =
+        draws_of(own(judged), judged, cut_of(2), {.false_alarms = 0.05, .seed = seed});
+    ASSERT_GT(random_cases(tally), 0U);
+    alarms += tally.violations() > 0 ? 1 : 0;
+  }
+  EXPECT_LE(alarms, 32);
+}
+
+const DrawConfig some_configs[] = {
+    {}, {.cases = 10'000}, {.false_alarms = 1e-3}, {.false_alarms = 1e-2, .cases = 7}};
+
+// The rate is shared, and the draws are as many as the power takes.
+TEST_F(FourLights, AreDrawnAsOftenAsStated) {
+  for (const DrawConfig& config : some_configs)
+    for (const std::uint32_t size : {1U, 2U}) {
+      MadeDraws tree = with({});
+      (void)draws_of(tree, judged, cut_of(size), config);
+      EXPECT_NEAR(double(tree.draws() - 1), double(draws(cut_of(size), config)), 1);
+    }
+}
+
+// Draws that always deviate by as much show what is allowed.
+TEST_F(FourLights, AreAllowedTheDeviationOfTheSharedRate) {
+  for (const DrawConfig& config : some_configs) {
+    const CutConfig cut = cut_of(2);
+    const std::uint64_t n = draws(cut, config);
+    const auto of = nodes(cut);
+    const Spread a = spread(of[0]), b = spread(of[1]);
+    const double allowed =
+        bernstein_deviation({a.variance + b.variance, a.range + b.range}, n, rate(2, config));
+    const double relative = allowed / mean(0).z;
+    EXPECT_GT(relative, 0);
+    EXPECT_LT(relative, 0.01);
+    for (const double of_allowed : {0.99, 1.01}) {
+      const auto off = [&](Clusters& all, std::uint64_t) {
+        for (CutCluster& c : all)
+          c.estimate = mean(c.node) * glm::dvec3(1, 1, 1 + of_allowed * relative);
+      };
+      const Tally tally = draws_of(with_clusters(off), judged, cut, config);
+      const PropertyCount& count = tally[Property::stochastic_is_unbiased];
+      EXPECT_NEAR(count.worst_ratio, of_allowed, 1e-3);
+      EXPECT_EQ(count.violations > 0, of_allowed > 1);
+    }
+    const double covariance =
+        bernstein_deviation({a.variance * b.variance, a.range * b.range}, n, rate(2, config));
+    for (const double of_allowed : {0.99, 1.01}) {
+      const double each = std::sqrt(of_allowed * covariance);
+      const auto off = [&](Clusters& all, std::uint64_t) {
+        all[0].estimate = mean(all[0].node) + glm::dvec3(0, 0, each);
+        all[1].estimate = mean(all[1].node) - glm::dvec3(0, 0, each);
+      };
+      const Tally tally = draws_of(with_clusters(off), judged, cut, config);
+      EXPECT_NEAR(tally[Property::draws_are_independent].worst_ratio, of_allowed, 1e-3);
+      EXPECT_EQ(tally[Property::draws_are_independent].violations, of_allowed > 1 ? 1U : 0U);
+      EXPECT_EQ(tally[Property::stochastic_is_unbiased].violations, 0U);
+    }
+  }
+}
+
+TEST_F(FourLights, AreAllowedTheDeviationOfTheSharedRateInFrequencies) {
+  for (const DrawConfig& config : some_configs) {
+    const CutConfig cut = cut_of(2);
+    double worst = 0;
+    for (const std::uint32_t node : nodes(cut)) {
+      const std::vector<std::uint32_t> lights = judged.topology.all_lights(node);
+      // sample(0) draws one of them with certainty.
+      const DrawnLight first = own(judged).sample(node, judged.point, 0);
+      const double p = first.probability;
+      const double allowed = bernstein_deviation({p * (1 - p), std::max(p, 1 - p)},
+                                                 draws(cut, config), rate(2, config));
+      worst = std::max(worst, (1 - p) / allowed);
+    }
+    const Tally tally = draws_of(with({.number = [](double) { return 0.0; }}), judged, cut, config);
+    EXPECT_NEAR(tally[Property::draws_follow_probabilities].worst_ratio, worst, worst * 1e-3);
+  }
+}
+
+TEST_F(FourLights, AreNotJudgedByFewerDrawsThanItTakes) {
+  const std::uint64_t n = draws(cut_of(2), {});
+  EXPECT_EQ(random_cases(draws_of(own(judged), judged, cut_of(2), {.max_draws = n - 2})), 0U);
+  EXPECT_GT(random_cases(draws_of(own(judged), judged, cut_of(2), {.max_draws = n + 2})), 0U);
+  MadeDraws biased = scaled(2);
+  EXPECT_EQ(random_cases(draws_of(biased, judged, cut_of(2), {.max_draws = 100})), 0U);
+  EXPECT_EQ(biased.draws(), 1U);
+}
+
+TEST(SamplingProperties, SayNothingOfDarkness) {
+  const JudgedPoint judged(four_lights(), diffuse_point(), {0, 0, 0, 0});
+  EXPECT_EQ(random_cases(draws_of(own(judged), judged, cut_of(2))), 0U);
+}
+
+// ---- frequencies
+
+TEST_F(FourLights, ConvictFrequenciesThatAreAFewPercentOff) {
+  const std::vector<std::function<double(double)>> numbers{
+      [](double u) { return 0.95 * u; }, [](double u) { return 0.05 + 0.95 * u; },
+      [](double u) { return std::pow(u, 1.2); }};
+  for (const auto& number : numbers) {
+    const Tally tally = draws_of(with({.number = number}), judged, cut_of(2));
+    EXPECT_THAT(violated(tally), ElementsAre(Property::draws_follow_probabilities));
+    EXPECT_GT(tally[Property::draws_follow_probabilities].worst_ratio, 1);
+  }
+}
+
+// What the deviations at the two rates sum to is overlooked with a probability below 0.001.
+TEST_F(FourLights, ConvictFrequenciesThatAreOffByWhatIsStatedWhateverIsDrawn) {
+  const std::uint64_t n = draws(cut_of(2), {});
+  const Spread widest{0.25, 1};
+  const double noticed =
+      bernstein_deviation(widest, n, rate(2, {})) + bernstein_deviation(widest, n, 0.001);
+  ASSERT_LT(noticed, 0.05);
+  for (const std::uint32_t node : nodes(cut_of(2))) {
+    const double p = own(judged).sample(node, judged.point, 0).probability;
+    ASSERT_LT(p + noticed, 1);
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      // Maps [0, p + noticed) onto the first light's [0, p).
+      const auto number = [&](double u) { return u < p + noticed ? u * p / (p + noticed) : u; };
+      EXPECT_THAT(violated(draws_of(with({.number = number}), judged, cut_of(2), {.seed = seed})),
+                  Contains(Property::draws_follow_probabilities));
+    }
+  }
+}
+
+TEST_F(FourLights, ConvictASamplerThatDrawsNothingNowAndThen) {
+  int count = 0;
+  const Changes changes{.drawn = [&](auto, DrawnLight& d) {
+    if (++count % 20 == 0) d.probability = 0;
+  }};
+  EXPECT_THAT(violated(draws_of(with(changes), judged, cut_of(2))),
+              ElementsAre(Property::draws_follow_probabilities));
+}
+
+// ---- independence
+
+double uniform(std::uint64_t query, std::uint32_t index) {
+  return double(hashed(query, index) >> 11) * 0x1p-53;
+}
+
+TEST_F(FourLights, ConvictDrawsThatDependOnEachOther) {
+  using Other = std::function<double(std::uint64_t query)>;
+  const auto same = [](std::uint64_t query) { return uniform(query, 0); };
+  const std::vector<std::pair<Other, bool>> others{
+      {[](std::uint64_t query) { return uniform(query, 1); }, true},
+      {same, false},
+      {[&](std::uint64_t query) { return 1 - 0x1p-53 - same(query); }, false},
+      {[](std::uint64_t query) { return uniform(query, query % 5 == 0 ? 0 : 1); }, false}};
+  for (const auto& [other, independent] : others) {
+    const auto lights = [&](Clusters& all, std::uint64_t query) {
+      all[0].estimate = lit(all[0].node, same(query));
+      all[1].estimate = lit(all[1].node, other(query));
+    };
+    const Tally tally = draws_of(with_clusters(lights), judged, cut_of(2));
+    EXPECT_EQ(tally[Property::draws_are_independent].cases, 2U);
+    EXPECT_EQ(tally[Property::draws_are_independent].violations, independent ? 0U : 1U);
+  }
+}
+
+/// Now and then draws from another cut; each of them is unbiased.
+class FickleCuts : public OwnTree {
+public:
+  FickleCuts(const LightTree& tree, std::uint64_t period, std::uint32_t size)
+      : OwnTree(tree), other_(tree), period_(period), size_(size) {}
+  Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
+           const Visible& visible) override {
+    if (query % period_ != 1) return OwnTree::draw(point, config, query, visible);
+    return other_.draw(point, cut_of(size_), query, visible);
+  }
+
+private:
+  OwnTree other_;
+  std::uint64_t period_;
+  std::uint32_t size_;
+};
+
+TEST_F(FourLights, ConvictACutThatDependsOnTheQuery) {
+  for (const std::uint64_t period : {2U, 1000U})
+    for (const std::uint32_t size : {1U, 3U}) {
+      const Tally tally = draws_of(FickleCuts(judged.tree, period, size), judged, cut_of(2));
+      EXPECT_THAT(violated(tally), ElementsAre(Property::draws_are_independent));
+      EXPECT_EQ(tally[Property::stochastic_is_unbiased].cases, 0U);
+    }
+}
+
+TEST_F(FourLights, ConvictOtherClustersOfTheSameNumber) {
+  const auto swap = [](Clusters& all, std::uint64_t query) {
+    if (query % 2 == 1) std::swap(all[0], all[1]);
+  };
+  const Tally tally = draws_of(with_clusters(swap), judged, cut_of(2));
+  EXPECT_THAT(violated(tally), ElementsAre(Property::draws_are_independent));
+  EXPECT_EQ(tally[Property::stochastic_is_unbiased].cases, 0U);
+}
+
+// ---- mutants
+
+TEST(SamplingMutants, AreConvictedOfWhatIsWrong) {
+  const std::pair<const char*, Property> wrong[] = {
+      {"random-number-lost", Property::threads_agree},
+      {"one-number-for-all", Property::draws_are_independent},
+      {"resampled-between", Property::stochastic_is_unbiased},
+      {"dead-branch", Property::contributing_lights_are_drawn},
+      {"inverse-probability", Property::draws_follow_probabilities},
+      {"pdf-mismatch", Property::draws_state_their_probability}};
+  for (const auto& [name, property] : wrong) {
+    const Mutant* mutant = mutant_named(name);
+    ASSERT_NE(mutant, nullptr) << name;
+    const bool by_draws = std::find(random_properties.begin(), random_properties.end(), property) !=
+                          random_properties.end();
+    std::uint64_t violations = 0;
+    for (std::uint64_t i = 0; i < (by_draws ? 8U : 300U) && violations == 0; ++i) {
+      Tally tally;
+      check_case(*mutant->subject(), random_case(1, by_draws ? 500 * i + 499 : i), 0, tally,
+                 property);
+      violations = tally[property].violations;
+    }
+    EXPECT_GT(violations, 0U) << name;
+  }
+}
+
+} // namespace
+} // namespace lightcuts::oracle
