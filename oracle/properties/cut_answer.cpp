@@ -9,7 +9,7 @@
 
 namespace lightcuts::oracle {
 
-void check_against_truth(const CutAnswer& of, const glm::vec3& limit, const Record& record) {
+void check_against_truth(const CutAnswer& of, const glm::vec3& limit, const Recorder& record) {
   const Truth& truth = of.point.at.truth;
   const glm::vec3& radiance = of.cut.radiance;
   bool holds = true;

@@ -55,6 +55,6 @@ struct TwoCuts {
 };
 
 /// |radiance - exact| <= limit, per channel.
-void check_against_truth(const CutAnswer& of, const glm::vec3& limit, const Record& record);
+void check_against_truth(const CutAnswer& of, const glm::vec3& limit, const Recorder& record);
 
 } // namespace lightcuts::oracle

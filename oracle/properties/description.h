@@ -19,7 +19,7 @@ class Invariance;
 class PictureCase;
 struct RayCase;
 
-class Record;
+class Recorder;
 struct BothSides;
 struct TwoCuts;
 
@@ -43,18 +43,18 @@ struct PropertyInfo {
   Parts needs = 0; ///< of a subject: nothing is checked where one of them is missing
 
   // The checks, each at places of one kind; nothing at those where the property says nothing.
-  void (*of_subject)(const Subject&, const Record&) = nullptr;
-  void (*of_tree)(const TreeCase&, const Record&) = nullptr;
-  void (*of_clusters)(const PointAnswers&, NodeRange, const Record&) = nullptr;
-  void (*of_cut)(const CutAnswer&, const Record&) = nullptr;
-  void (*of_odds)(const ClusterOdds&, const Record&) = nullptr;
-  void (*of_point)(const PointAnswers&, const CutConfig&, const Record&) = nullptr;
-  void (*of_draws)(const Draws&, const Record&) = nullptr;
-  void (*of_invariance)(const Invariance&, const Record&) = nullptr;
-  void (*of_picture)(const PictureCase&, const Record&) = nullptr;
-  void (*of_ray)(const RayCase&, const Record&) = nullptr;
-  void (*of_light)(const ShadingPoint&, const Light&, const Record&) = nullptr;
-  void (*of_lobe)(const Lobe&, const Record&) = nullptr;
+  void (*of_subject)(const Subject&, const Recorder&) = nullptr;
+  void (*of_tree)(const TreeCase&, const Recorder&) = nullptr;
+  void (*of_clusters)(const PointAnswers&, NodeRange, const Recorder&) = nullptr;
+  void (*of_cut)(const CutAnswer&, const Recorder&) = nullptr;
+  void (*of_odds)(const ClusterOdds&, const Recorder&) = nullptr;
+  void (*of_point)(const PointAnswers&, const CutConfig&, const Recorder&) = nullptr;
+  void (*of_draws)(const Draws&, const Recorder&) = nullptr;
+  void (*of_invariance)(const Invariance&, const Recorder&) = nullptr;
+  void (*of_picture)(const PictureCase&, const Recorder&) = nullptr;
+  void (*of_ray)(const RayCase&, const Recorder&) = nullptr;
+  void (*of_light)(const ShadingPoint&, const Light&, const Recorder&) = nullptr;
+  void (*of_lobe)(const Lobe&, const Recorder&) = nullptr;
 
   // What explain() shows beyond what it shows of every tree, cluster or cut.
   std::string (*node_rows)(const TreeCase&, std::uint32_t node) = nullptr;

@@ -67,7 +67,7 @@ public:
 private:
   [[nodiscard]] bool has(Part part) const { return oracle::has(parts_, part); }
   [[nodiscard]] bool wants(Property property) const;
-  [[nodiscard]] Record record(Property property) const { return {tally_[property], place_}; }
+  [[nodiscard]] Recorder record(Property property) const { return {tally_[property], place_}; }
   /// Whether any property is checked at such places.
   template <auto of>
   [[nodiscard]] bool any() const;

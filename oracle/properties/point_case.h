@@ -67,7 +67,7 @@ private:
 
 /// Makes a check of one cluster one of many, for PropertyInfo::of_clusters.
 template <auto check>
-void each_cluster(const PointAnswers& of, NodeRange nodes, const Record& record) {
+void each_cluster(const PointAnswers& of, NodeRange nodes, const Recorder& record) {
   for (std::uint32_t i = nodes.begin; i < nodes.end; ++i) check(of, i, record);
 }
 

@@ -66,9 +66,9 @@ struct PropertyCount {
 inline constexpr double no_ratio = -1;
 
 /// Where a check of one property at one place counts its cases.
-class Record {
+class Recorder {
 public:
-  Record(PropertyCount& count, std::uint64_t place) : count_(count), place_(place) {}
+  Recorder(PropertyCount& count, std::uint64_t place) : count_(count), place_(place) {}
 
   /// See PropertyCount::record().
   template <class Describe>

@@ -19,7 +19,7 @@ WorstChannel compared(const Wide& truth, const glm::vec3& bound, const MakeExact
   return worst;
 }
 
-void check(const PointAnswers& of, std::uint32_t node, const Record& record) {
+void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   const glm::vec3& bound = of.bounds()[node];
   const WorstChannel worst = compared(of.at.truth.open(node), bound,
                                       [&](int c) { return of.at.truth.exact_open(node, c); });
@@ -31,7 +31,7 @@ void check(const PointAnswers& of, std::uint32_t node, const Record& record) {
 } // namespace
 
 void check_bound(const Topology& topology, const LightSet& lights, const ShadingPoint& point,
-                 std::uint32_t node, const glm::vec3& bound, const Record& record) {
+                 std::uint32_t node, const glm::vec3& bound, const Recorder& record) {
   const std::vector<std::uint32_t> members = topology.all_lights(node);
   Wide sum{};
   for (const std::uint32_t light : members) {

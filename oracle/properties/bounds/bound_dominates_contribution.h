@@ -7,6 +7,6 @@ namespace lightcuts::oracle {
 
 /// Checks bound-dominates-contribution for one cluster, without a Truth.
 void check_bound(const Topology& topology, const LightSet& lights, const ShadingPoint& point,
-                 std::uint32_t node, const glm::vec3& bound, const Record& record);
+                 std::uint32_t node, const glm::vec3& bound, const Recorder& record);
 
 } // namespace lightcuts::oracle

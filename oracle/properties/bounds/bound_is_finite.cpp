@@ -59,7 +59,7 @@ bool may_be_infinite(const PointCase& at, std::uint32_t node, int channel) {
   return most >= 0.5 * std::numeric_limits<float>::max();
 }
 
-void check(const PointAnswers& of, std::uint32_t node, const Record& record) {
+void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   const glm::vec3& bound = of.bounds()[node];
   int bad = -1;
   for (int c = 2; c >= 0; --c)

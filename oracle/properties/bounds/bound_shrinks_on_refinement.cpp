@@ -7,7 +7,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const PointAnswers& of, std::uint32_t node, const Record& record) {
+void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   if (of.topology().is_leaf(node)) return;
   const std::span<const glm::vec3> bounds = of.bounds();
   WorstChannel worst;

@@ -40,7 +40,7 @@ void BoundSweep::check(SubjectTree& tree, const ShadingPoint& point, std::uint64
   PropertyCount& count = tally[Property::bound_dominates_contribution];
   count.hold(bounds_.size() - comparison_.undecided.size(), comparison_.worst_ratio);
   for (const std::uint32_t node : comparison_.undecided)
-    check_bound(topology_, lights_, point, node, bounds_[node], Record(count, place));
+    check_bound(topology_, lights_, point, node, bounds_[node], Recorder(count, place));
 }
 
 } // namespace lightcuts::oracle

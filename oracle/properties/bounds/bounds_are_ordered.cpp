@@ -6,7 +6,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const PointAnswers& of, std::uint32_t node, const Record& record) {
+void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   const glm::vec3 low = of.judged.tree.lower_bound(node, of.at.point);
   const glm::vec3& bound = of.bounds()[node];
   WorstChannel worst;

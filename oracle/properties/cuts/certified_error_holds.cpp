@@ -9,7 +9,7 @@ const PropertyInfo property::certified_error_holds{
     .formula = "|radiance - exact| <= certified error, per channel",
     .needs = only(Part::cuts),
     .of_cut = [](const CutAnswer& of,
-                 const Record& record) { check_against_truth(of, of.cut.certified_error, record); },
+                 const Recorder& record) { check_against_truth(of, of.cut.certified_error, record); },
 };
 
 } // namespace lightcuts::oracle

@@ -35,7 +35,7 @@ struct WorstCluster {
   }
 };
 
-void check(const CutAnswer& of, const Record& record) {
+void check(const CutAnswer& of, const Recorder& record) {
   const std::size_t size = of.cut.clusters.size();
   const bool claims_full = of.cut.end == CutEnd::max_size;
   const bool full = size >= of.config.max_size && claims_full;

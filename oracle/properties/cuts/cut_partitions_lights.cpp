@@ -9,7 +9,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const CutAnswer& of, const Record& record) {
+void check(const CutAnswer& of, const Recorder& record) {
   const Topology& tree = of.point.topology();
   std::vector<std::uint32_t> in_cut;
   for (const CutCluster& c : of.cut.clusters) in_cut.push_back(c.node);

@@ -34,7 +34,7 @@ std::string fault_of(const Subject& subject) {
   return {};
 }
 
-void check(const Subject& subject, const Record& record) {
+void check(const Subject& subject, const Recorder& record) {
   const std::string fault = fault_of(subject);
   record(fault.empty(), [&] { return fault; });
 }

@@ -29,7 +29,7 @@ TwoCuts two_cuts(const PointAnswers&, const CutConfig& config) {
   return cuts;
 }
 
-void check(const PointAnswers& of, const CutConfig& config, const Record& record) {
+void check(const PointAnswers& of, const CutConfig& config, const Recorder& record) {
   const auto [coarse, fine] = two_cuts(of, config);
   if (fine.config.threshold == 0) return;
   const auto nodes_of = [&](const ChosenCut& chosen) {

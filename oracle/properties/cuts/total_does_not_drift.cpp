@@ -10,7 +10,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const CutAnswer& of, const Record& record) {
+void check(const CutAnswer& of, const Recorder& record) {
   const Wide& total = of.total;
   const glm::vec3& radiance = of.cut.radiance;
   bool holds = true;

@@ -15,7 +15,7 @@ TwoCuts two_cuts(const PointAnswers& of, const CutConfig&) {
   return {{exact, true}, {exact, false}};
 }
 
-void check(const PointAnswers& of, const CutConfig&, const Record& record) {
+void check(const PointAnswers& of, const CutConfig&, const Recorder& record) {
   const CutConfig exact = exact_cut(of.at.lights().size());
   const glm::vec3 all = of.select(exact, true).radiance;
   const glm::vec3 seen = of.select(exact).radiance;

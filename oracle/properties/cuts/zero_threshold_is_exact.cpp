@@ -10,7 +10,7 @@ const PropertyInfo property::zero_threshold_is_exact{
     .formula = "|radiance - exact| <= 2^-23 exact + 2^-149, per channel",
     .needs = only(Part::cuts),
     .of_cut =
-        [](const CutAnswer& of, const Record& record) {
+        [](const CutAnswer& of, const Recorder& record) {
           const PointCase& at = of.point.at;
           if (of.config.threshold != 0 || of.config.black_level != 0 ||
               of.config.max_size < at.lights().size())

@@ -17,7 +17,7 @@ const PropertyInfo property::black_light_is_immaterial{
     .statement = "A light of intensity 0 changes nothing.",
     .formula = "radiance at threshold 0 and the root's bound, but for rounding",
     .of_invariance = [](const Invariance& of,
-                        const Record& record) { of.closely(add_black, record); },
+                        const Recorder& record) { of.closely(add_black, record); },
 };
 
 } // namespace lightcuts::oracle

@@ -20,7 +20,7 @@ const PropertyInfo property::intensity_scales_exactly{
     .statement = "Lights 2^k times as bright: everything is, to the last bit.",
     .formula = "bounds, radiance at threshold 0 and certified error, divided by 2^k",
     .of_invariance = [](const Invariance& of,
-                        const Record& record) { of.exactly(brighten, factor, record); },
+                        const Recorder& record) { of.exactly(brighten, factor, record); },
 };
 
 } // namespace lightcuts::oracle

@@ -32,7 +32,7 @@ struct Comparison {
     holds = false;
     text = fmt::format("{} {:.9g}, after the change {:.9g}", what, before, after);
   }
-  void record(const Record& record) const {
+  void record(const Recorder& record) const {
     record(holds, worst, [&] { return text; });
   }
 };
@@ -76,7 +76,7 @@ Invariance::Answer Invariance::answer(const Setting& setting) const {
   return a;
 }
 
-void Invariance::exactly(Change change, float factor, const Record& record) const {
+void Invariance::exactly(Change change, float factor, const Recorder& record) const {
   if (!before_) before_ = answer(setting_);
   Setting changed = setting_;
   if (!change(changed)) return;
@@ -91,7 +91,7 @@ void Invariance::exactly(Change change, float factor, const Record& record) cons
   comparison.record(record);
 }
 
-void Invariance::closely(Change change, const Record& record) const {
+void Invariance::closely(Change change, const Recorder& record) const {
   if (!diffuse_before_) diffuse_before_ = answer(diffuse_);
   Setting changed = diffuse_;
   if (!change(changed)) return;

@@ -31,10 +31,10 @@ public:
   Invariance(const Subject& subject, const Case& on);
 
   /// To the last bit, once results are divided by `factor`.
-  void exactly(Change change, float factor, const Record& record) const;
+  void exactly(Change change, float factor, const Recorder& record) const;
   /// But for rounding: that of two bounds, and of two sums. Of the diffuse part only: a mirror
   /// direction rounds, which sharp lobes magnify.
-  void closely(Change change, const Record& record) const;
+  void closely(Change change, const Recorder& record) const;
 
 private:
   /// What a subject answers, whatever its clusters.

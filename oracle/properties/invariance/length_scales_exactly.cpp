@@ -21,7 +21,7 @@ const PropertyInfo property::length_scales_exactly{
     .statement = "A scene 2^k times as large: nothing but 4^k changes.",
     .formula = "bounds and radiance at threshold 0, times 4^k, to the last bit",
     .of_invariance = [](const Invariance& of,
-                        const Record& record) { of.exactly(enlarge, 1, record); },
+                        const Recorder& record) { of.exactly(enlarge, 1, record); },
 };
 
 } // namespace lightcuts::oracle

@@ -18,7 +18,7 @@ const PropertyInfo property::light_order_is_immaterial{
     .statement = "The order of the lights changes nothing.",
     .formula = "radiance at threshold 0 and the root's bound, but for rounding",
     .of_invariance = [](const Invariance& of,
-                        const Record& record) { of.closely(reverse, record); },
+                        const Recorder& record) { of.closely(reverse, record); },
 };
 
 } // namespace lightcuts::oracle

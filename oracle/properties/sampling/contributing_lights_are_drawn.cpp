@@ -11,7 +11,7 @@ const PropertyInfo property::contributing_lights_are_drawn{
     .formula = "probability > 0 wherever the contribution is",
     .needs = only(Part::sampling),
     .of_odds =
-        [](const ClusterOdds& of, const Record& record) {
+        [](const ClusterOdds& of, const Recorder& record) {
           for (std::size_t i = 0; i < of.lights.size(); ++i)
             record(of.p[i] > 0 || !of.shines(i), [&] {
               return fmt::format("{}: light {} of node {} contributes and is never drawn",

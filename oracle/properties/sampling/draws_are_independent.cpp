@@ -8,7 +8,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const Draws& of, const Record& record) {
+void check(const Draws& of, const Recorder& record) {
   const DrawSums& sums = of.sums();
   record(sums.same_cut,
          [&] { return fmt::format("{}: the cut depends on what is drawn", of.point.at.text()); });

@@ -31,7 +31,7 @@ std::vector<std::uint64_t> counts_of(const Draws& of, const RandomCluster& clust
   return counts;
 }
 
-void check(const Draws& of, const Record& record) {
+void check(const Draws& of, const Recorder& record) {
   for (const RandomCluster& cluster : of.clusters()) {
     if (cluster.lights.size() < 2) continue;
     const std::vector<std::uint64_t> counts = counts_of(of, cluster);

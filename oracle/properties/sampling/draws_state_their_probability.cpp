@@ -8,7 +8,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check_drawn(const ClusterOdds& of, double u, const DrawnLight& drawn, const Record& record) {
+void check_drawn(const ClusterOdds& of, double u, const DrawnLight& drawn, const Recorder& record) {
   if (drawn.probability == 0) {
     // That is what is left of 1.
     record(of.none() > 0x1p-40, [&] {
@@ -25,7 +25,7 @@ void check_drawn(const ClusterOdds& of, double u, const DrawnLight& drawn, const
   });
 }
 
-void check(const ClusterOdds& of, const Record& record) {
+void check(const ClusterOdds& of, const Recorder& record) {
   std::array<double, 8> random;
   for (std::size_t i = 0; i < random.size(); ++i)
     random[i] = (double(i) + 0.5) / double(random.size());

@@ -9,7 +9,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const ClusterOdds& of, const Record& record) {
+void check(const ClusterOdds& of, const Recorder& record) {
   long double sum = 0;
   bool all_shine = true;
   for (std::size_t i = 0; i < of.p.size(); ++i) {

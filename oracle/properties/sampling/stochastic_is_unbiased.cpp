@@ -8,7 +8,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const Draws& of, const Record& record) {
+void check(const Draws& of, const Recorder& record) {
   if (!of.sums().same_cut) return;
   for (std::size_t c = 0; c < 3; ++c) {
     const long double exact = of.point.at.truth.seen(0)[c];

@@ -24,7 +24,7 @@ std::string name_of(const CookTorrance& lobe) {
 constexpr std::array viewer_angles{0.0, 45.0, 75.0, 85.0, 89.9};
 
 template <class OneLobe>
-void check_lobe(const OneLobe& lobe, const Record& record) {
+void check_lobe(const OneLobe& lobe, const Recorder& record) {
   for (const double degrees : viewer_angles) {
     const double angle = degrees * (std::numbers::pi / 180);
     const Furnace furnace = white_furnace(lobe, angle);
@@ -36,7 +36,7 @@ void check_lobe(const OneLobe& lobe, const Record& record) {
   }
 }
 
-void check(const Lobe& lobe, const Record& record) {
+void check(const Lobe& lobe, const Recorder& record) {
   std::visit([&](const auto& one) { check_lobe(one, record); }, lobe);
 }
 

@@ -10,7 +10,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const ShadingPoint& point, const Light& light, const Record& record) {
+void check(const ShadingPoint& point, const Light& light, const Recorder& record) {
   const glm::vec3 &n = point.normal(), &v = point.to_viewer();
   const glm::dvec3 q =
       glm::dvec3(light.position) - glm::dvec3(viewed_from(light.kind, point.position()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <lightcuts/core/kernels/transfer.h>
 #include <oracle/properties/point_case.h>
 #include <oracle/properties/shading/ray_case.h>
 #include <oracle/truth/brute_force_occlusion.h>
@@ -8,7 +9,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const RayCase& of, const Record& record) {
+void check(const RayCase& of, const Recorder& record) {
   const Scene& scene = of.view.scene();
   const Light& light = scene.lights[of.light];
   // A light behind the surface is never asked for.

@@ -10,7 +10,7 @@ const PropertyInfo property::pixels_equal_points{
                "nothing",
     .needs = only(Part::pictures),
     .of_picture =
-        [](const PictureCase& of, const Record& record) {
+        [](const PictureCase& of, const Recorder& record) {
           of.for_each_pixel([&](glm::uvec2 pixel) {
             record(of.shown(pixel) == of.expected(pixel), [&] { return of.text(pixel); });
           });

@@ -21,7 +21,7 @@ std::string text(const Vector& v) {
 
 bool is_number(const glm::dvec3& v) { return v.x >= 0 && v.y >= 0 && v.z >= 0; }
 
-void check_cluster(const PointAnswers& of, std::uint32_t node, const Record& record) {
+void check_cluster(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   const glm::vec3& bound = of.bounds()[node];
   record(is_number(bound), [&] {
     const int bad = bound.x >= 0 ? bound.y >= 0 ? 2 : 1 : 0;
@@ -35,7 +35,7 @@ void check_cluster(const PointAnswers& of, std::uint32_t node, const Record& rec
   });
 }
 
-void check_cut(const CutAnswer& of, const Record& record) {
+void check_cut(const CutAnswer& of, const Recorder& record) {
   constexpr float infinite = std::numeric_limits<float>::infinity();
   const glm::vec3 &radiance = of.cut.radiance, &error = of.cut.certified_error;
   bool holds = is_number(radiance) && is_number(error);
@@ -47,14 +47,14 @@ void check_cut(const CutAnswer& of, const Record& record) {
   });
 }
 
-void check_odds(const ClusterOdds& of, const Record& record) {
+void check_odds(const ClusterOdds& of, const Recorder& record) {
   record(std::all_of(of.p.begin(), of.p.end(), [](double p) { return p >= 0 && p <= 1; }), [&] {
     return fmt::format("{}: a probability in node {} is not in [0, 1]", of.point.at.text(),
                        of.node);
   });
 }
 
-void check_picture(const PictureCase& of, const Record& record) {
+void check_picture(const PictureCase& of, const Recorder& record) {
   of.for_each_pixel([&](glm::uvec2 pixel) {
     record(is_number(of.shown(pixel)), [&] { return of.text(pixel); });
   });

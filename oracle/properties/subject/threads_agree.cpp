@@ -61,7 +61,7 @@ std::string differing_draw(const PointAnswers& of, SubjectTree& other) {
   return {};
 }
 
-void check(const PointAnswers& of, const CutConfig& config, const Record& record) {
+void check(const PointAnswers& of, const CutConfig& config, const Recorder& record) {
   const std::unique_ptr<SubjectTree> elsewhere = of.judged.tree.for_another_thread();
   std::string difference;
   const auto compare = [&](SubjectTree& tree, const char* who) {

@@ -8,7 +8,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const TreeCase& of, const Record& record) {
+void check(const TreeCase& of, const Recorder& record) {
   if (of.topology == nullptr) return;
   const Topology& tree = *of.topology;
   const auto nodes = tree.parents_first();

@@ -20,7 +20,7 @@ struct Sum {
 };
 
 void check_node(std::uint32_t i, const glm::dvec3& intensity, const Sum& sum,
-                const Record& record) {
+                const Recorder& record) {
   bool holds = true;
   double worst = 0;
   const Wide& total = sum.intensity;
@@ -39,7 +39,7 @@ void check_node(std::uint32_t i, const glm::dvec3& intensity, const Sum& sum,
   });
 }
 
-void check(const TreeCase& of, const Record& record) {
+void check(const TreeCase& of, const Recorder& record) {
   if (of.topology == nullptr) return;
   const Topology& tree = *of.topology;
   std::vector<Sum> sums(tree.size());

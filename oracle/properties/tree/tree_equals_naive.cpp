@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_lights = 12; // the naive tree takes N^3
 
-void check(const TreeCase& of, const Record& record) {
+void check(const TreeCase& of, const Recorder& record) {
   const LightKinds kinds = of.lights.kinds();
   if (of.topology == nullptr || of.lights.size() > most_lights || (kinds & (kinds - 1)) != 0)
     return;

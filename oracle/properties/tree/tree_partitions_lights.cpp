@@ -9,7 +9,7 @@ const PropertyInfo property::tree_partitions_lights{
     .formula = "every index in range, every node but the root the child of one, every light of one "
                "leaf",
     .of_tree = [](const TreeCase& of,
-                  const Record& record) { record(of.defect.empty(), [&] { return of.defect; }); },
+                  const Recorder& record) { record(of.defect.empty(), [&] { return of.defect; }); },
 };
 
 } // namespace lightcuts::oracle
