@@ -49,8 +49,8 @@ struct HuntResult {
 /// `seconds`.
 [[nodiscard]] HuntResult hunt(const Subject& subject, const HuntConfig& config);
 
-/// The same property does not hold on what is returned, which is as simple as can be found in so
-/// many seconds: no simpler() case of it fails, then.
+/// A counterexample of the same property, as simple as can be found in so many seconds: given time
+/// enough, no simpler() case of it fails.
 [[nodiscard]] Counterexample shrunk(const Subject& subject, const Counterexample& found,
                                     double seconds = 10);
 

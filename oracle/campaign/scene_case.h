@@ -14,8 +14,8 @@ namespace lightcuts::oracle {
 /// not seen from there are hidden.
 [[nodiscard]] Case case_of(const SceneView& view, const CheckConfig& config, std::uint64_t place);
 
-/// The same with twelve lights of the scene at most, drawn at random: what check() looks at where
-/// all lights would take too long.
+/// The shading point that check() visits at the place, with twelve lights of the scene at most,
+/// drawn at random: what check() looks at where all lights would take too long.
 [[nodiscard]] Case excerpt_of(const SceneView& view, const CheckConfig& config,
                               std::uint64_t place);
 

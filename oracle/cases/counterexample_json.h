@@ -29,14 +29,14 @@ struct SavedCounterexample {
 /// use is left out, and so is what is optional and has its default value: see the records' fields.
 [[nodiscard]] std::string counterexample_json(const SavedCounterexample& saved);
 
-/// Reads that; decimals beside are ignored, and a number will do for a hexadecimal string. Throws
-/// InputError that names `name` and the path in it, as `a.json: /case/lights/3/position/0 is
-/// "abc", expected a finite float such as "0x1.8p+1"`, where anything is missing, unknown or out of
-/// its domain: a case so read is valid.
+/// Reads what counterexample_json() writes; decimals beside are ignored, and a number will do for a
+/// hexadecimal string. Throws InputError that names `name` and the path in it, as `a.json:
+/// /case/lights/3/position/0 is "abc", expected a finite float such as "0x1.8p+1"`, where anything
+/// is missing, unknown or out of its domain: a case so read is valid.
 [[nodiscard]] SavedCounterexample read_counterexample(const std::string& name,
                                                       const std::string& text);
 
-/// The same of a file.
+/// Reads the file as read_counterexample() reads a text.
 [[nodiscard]] SavedCounterexample load_counterexample(const std::filesystem::path& file);
 
 } // namespace lightcuts::oracle

@@ -14,7 +14,8 @@ inline std::filesystem::path plugin_file(const std::string& name) {
   return std::filesystem::path(LIGHTCUTS_PLUGINS) / ("lib" + name + ".so");
 }
 
-/// Those that answer may take their time on a busy machine; those that do not are told by 1 s.
+/// Seconds to wait for the plug-in: those that answer may take their time on a busy machine; 1 s
+/// tells those that do not.
 inline double patience(const std::string& name) {
   for (const char* silent : {"hang", "closes", "forks"})
     if (name.starts_with(silent)) return 1;

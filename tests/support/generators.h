@@ -28,9 +28,9 @@ rc::Gen<glm::vec3> unit_vector();
 /// 1 to max_lights lights of all kinds, growing with rapidcheck's size; all materials; clamped or
 /// not.
 rc::Gen<Scene> scene(int max_lights = 24);
-/// The same of omni lights only, diffuse and Phong surfaces, not clamped.
+/// Scenes of omni lights only, diffuse and Phong surfaces, not clamped.
 rc::Gen<Scene> plain_scene(int max_lights = 24);
-/// The same of one kind of light and one kind of lobe (its index in Lobe).
+/// Scenes of one kind of light and one kind of lobe (its index in Lobe).
 rc::Gen<Scene> scene_of(LightKind kind, std::size_t lobe, bool clamped, int max_lights = 24);
 rc::Gen<BoxView> box_view();
 

@@ -27,7 +27,8 @@ inline std::string difference(const LightTree& tree, std::uint32_t i,
   return "";
 }
 
-/// The same from the roots on; the last cluster is that of the naive tree.
+/// How the trees differ from their roots on, "" where they do not; the last cluster is the root of
+/// the naive tree.
 inline std::string difference(const LightTree& tree,
                               const std::vector<oracle::NaiveCluster>& clusters) {
   return difference(tree, 0, clusters, clusters.size() - 1);

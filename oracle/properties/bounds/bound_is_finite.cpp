@@ -3,33 +3,24 @@
 #include <array>
 #include <limits>
 #include <numbers>
-#include <type_traits>
 #include <variant>
 
 #include <lightcuts/core/kernels/contribution_bound.h>
 #include <oracle/properties/both_sides.h>
 #include <oracle/properties/bounds/worst_channel.h>
+#include <oracle/truth/lobes.h>
 
 namespace lightcuts::oracle {
 namespace {
 
 /// f n.l at most, per channel, whatever the directions.
 double largest_reflection(const ShadingPoint& point, int channel) {
-  const double diffuse = point.material().diffuse[channel] * std::numbers::inv_pi;
-  if (point.viewer_cosine() <= 0 && !std::holds_alternative<Phong>(point.material().lobe))
-    return diffuse;
-  const auto largest = [&](const auto& lobe) -> double {
-    using OneLobe = std::decay_t<decltype(lobe)>;
-    if constexpr (std::is_same_v<OneLobe, Phong>)
-      return lobe.reflectance[channel] * lobe.normalisation();
-    else if constexpr (std::is_same_v<OneLobe, Ward>)
-      return lobe.reflectance[channel] * lobe.peak(point.viewer_cosine());
-    else if constexpr (std::is_same_v<OneLobe, CookTorrance>)
-      return lobe.distribution(0) * lobe.visibility(0, point.viewer_cosine());
-    else
-      return 0;
-  };
-  return diffuse + std::visit(largest, point.material().lobe);
+  return point.material().diffuse[channel] * std::numbers::inv_pi +
+         std::visit(
+             [&]<class OneLobe>(const OneLobe& lobe) {
+               return radiometry::LobeTruth<OneLobe>::largest(lobe, point.viewer_cosine(), channel);
+             },
+             point.material().lobe);
 }
 
 /// Whether an infinite bound is excused: x in the box of the lights of one kind, or a supremum

@@ -79,7 +79,7 @@ inline std::string little_endian(std::size_t word) {
   return bytes;
 }
 
-/// The same as a binary glTF.
+/// A binary glTF with that buffer.
 inline std::string glb(nlohmann::json gltf, const std::string& bytes = buffer()) {
   gltf["buffers"] = {{{"byteLength", bytes.size()}}};
   std::string text = gltf.dump();

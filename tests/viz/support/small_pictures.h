@@ -22,13 +22,13 @@ inline std::shared_ptr<const OpenedScene> opened(const std::string& spec, glm::u
   return std::make_shared<const OpenedScene>(request);
 }
 
-/// The same one for all tests: it does not change.
+/// A scene of 32 x 24 pixels that all tests share: it does not change.
 inline const std::shared_ptr<const OpenedScene>& small_scene() {
   static const auto scene = opened(small_spec, {32, 24});
   return scene;
 }
 
-/// What a pixel of it shows, and which lights are seen there.
+/// A pixel of small_scene(): what it shows, and which lights are seen there.
 struct SmallPoint {
   VisiblePoint p;
   explicit SmallPoint(glm::uvec2 pixel) : p(*small_scene()->view().at(pixel)) {}

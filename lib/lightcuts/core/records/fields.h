@@ -99,7 +99,7 @@ constexpr void for_each_field(R& record, F&& f) {
   });
 }
 
-/// The same with those of another beside: f(name, value, value of the other, Domain).
+/// Calls f(name, value, value of the same field of `other`, Domain) for each field of `record`.
 template <Record R, class F>
 constexpr void for_each_field(R& record, const std::type_identity_t<R>& other, F&& f) {
   for_each_field<std::remove_const_t<R>>([&](const auto& field) {

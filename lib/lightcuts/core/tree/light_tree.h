@@ -15,8 +15,9 @@
 
 namespace lightcuts {
 
-/// A cluster of lights: one light (leaf) or the union of its two children.
-struct TreeNode {
+/// A cluster of lights: one light (leaf) or the union of its two children. What a cut reads of it
+/// lies in one cache line.
+struct alignas(64) TreeNode {
   Box box;                          ///< of Light::position of the cluster's lights, exact
   glm::dvec3 intensity;             ///< their total, W/sr: the rounded sum of the two children's
   std::uint32_t first_child = 0;    ///< the children are first_child and first_child + 1; 0: a leaf
@@ -35,6 +36,7 @@ struct TreeNode {
     return LightKind::omni;
   }
 };
+static_assert(sizeof(TreeNode) == 64);
 
 /// Binary tree over the lights of one LightSet; node 0 is the root. The two children of a node are
 /// neighbours and come after it; every leaf is one light. Keeps its own copy of the lights.
