@@ -18,8 +18,9 @@ double seconds_since(Clock::time_point start) {
 }
 
 /// How near a property is to the cause; see broken().
-std::size_t distance_from_cause(Property property) {
-  return std::size_t(property) + (info(property).severity == Severity::waste ? property_count : 0);
+std::size_t distance_from_cause(const Subject& subject, Property property) {
+  const bool waste = severity_of(property, subject.parts()) == Severity::waste;
+  return std::size_t(property) + (waste ? property_count : 0);
 }
 
 } // namespace
@@ -37,14 +38,15 @@ HuntResult hunt(const Subject& subject, const HuntConfig& config) {
     result.tally.merge(tally);
     if (config.progress) config.progress(double(index + 1) / double(config.cases));
     const std::vector<Property> list = broken(tally);
-    if (list.empty() || (!config.waste && info(list.front()).severity == Severity::waste)) continue;
+    if (list.empty() || (!config.waste && tally[list.front()].severity == Severity::waste))
+      continue;
     const Property property = list.front();
     if (!result.found) {
       result.seconds = seconds_since(start);
       end = std::min(end, index + 1 + config.further);
     }
-    if (!result.found ||
-        distance_from_cause(property) < distance_from_cause(result.found->property))
+    if (!result.found || distance_from_cause(subject, property) <
+                             distance_from_cause(subject, result.found->property))
       result.found = {property, on, tally[property].first_violation, index};
   }
   if (!result.found) result.seconds = seconds_since(start);

@@ -45,6 +45,9 @@ Case lights_and_views(Dice& dice) {
   for (int i = 0; i < views; ++i)
     c.views.push_back({i == 0 ? scene.view : gen::make_view(dice, scene.lights),
                        random_hidden(dice, scene.lights.size())});
+  const bool all_seen = std::all_of(c.views.begin(), c.views.end(),
+                                    [](const CaseView& view) { return view.hidden.empty(); });
+  c.cut.unoccluded = all_seen && dice.one_in(2);
   return c;
 }
 

@@ -23,6 +23,7 @@ constexpr const char* schema = "lightcuts-oracle/campaign/1";
 nlohmann::ordered_json json_of(const PropertyCount& count) {
   return {{"cases", count.cases},
           {"violations", count.violations},
+          {"waste", count.severity == oracle::Severity::waste},
           {"worst_ratio", count.worst_ratio},
           {"first_place", count.first_place},
           {"first_violation", count.first_violation}};
@@ -32,6 +33,7 @@ PropertyCount count_of(const nlohmann::json& json) {
   PropertyCount count;
   json.at("cases").get_to(count.cases);
   json.at("violations").get_to(count.violations);
+  if (json.at("waste").get<bool>()) count.severity = oracle::Severity::waste;
   json.at("worst_ratio").get_to(count.worst_ratio);
   json.at("first_place").get_to(count.first_place);
   json.at("first_violation").get_to(count.first_violation);

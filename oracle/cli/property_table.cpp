@@ -40,7 +40,7 @@ std::string property_table(const oracle::Tally& tally, const oracle::Subject& su
     text += fmt::format("{:<31}{:>12}{:>12}{:>13}\n", info(p).name, count.cases, count.violations,
                         ratio_text(count.worst_ratio));
     if (count.violations > 0)
-      text += fmt::format("  first{}: {}\n", info(p).severity == Severity::waste ? ", a waste" : "",
+      text += fmt::format("  first{}: {}\n", count.severity == Severity::waste ? ", a waste" : "",
                           count.first_violation);
   }
   const std::vector<std::string> absent = oracle::names_without(subject.parts());

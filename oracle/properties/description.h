@@ -29,6 +29,12 @@ enum class Severity : std::uint8_t {
   waste      ///< a right one that costs more than it has to
 };
 
+/// Who promises that a property holds.
+enum class Promise : std::uint8_t {
+  light_tree, ///< every right light tree
+  library     ///< this library, by its own rules: of others, not to hold is a waste at most
+};
+
 /// Nodes begin, begin + 1 ... end - 1 of a tree.
 struct NodeRange {
   std::uint32_t begin, end;
@@ -40,6 +46,7 @@ struct PropertyInfo {
   const char* statement; ///< one sentence
   const char* formula;   ///< what is computed; its left side over its right is the ratio
   Severity severity = Severity::violation;
+  Promise promise = Promise::light_tree;
   Parts needs = 0; ///< of a subject: nothing is checked where one of them is missing
 
   // The checks, each at places of one kind; nothing at those where the property says nothing.

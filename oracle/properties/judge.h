@@ -67,7 +67,9 @@ public:
 private:
   [[nodiscard]] bool has(Part part) const { return oracle::has(parts_, part); }
   [[nodiscard]] bool wants(Property property) const;
-  [[nodiscard]] Recorder record(Property property) const { return {tally_[property], place_}; }
+  [[nodiscard]] Recorder record(Property property) const {
+    return {tally_[property], place_, severity_of(property, parts_)};
+  }
   /// Whether any property is checked at such places.
   template <auto of>
   [[nodiscard]] bool any() const;

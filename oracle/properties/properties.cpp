@@ -20,6 +20,12 @@ std::array<const char*, property_count> names_of(Property /*any*/) {
   return names;
 }
 
+Severity severity_of(Property property, Parts parts) {
+  const PropertyInfo& of = info(property);
+  const bool promised = of.promise == Promise::light_tree || has(parts, Part::library_rules);
+  return promised ? of.severity : Severity::waste;
+}
+
 std::optional<Property> property_named(std::string_view name) {
   for (const Property p : all_properties)
     if (name == info(p).name) return p;
@@ -28,6 +34,7 @@ std::optional<Property> property_named(std::string_view name) {
 
 void PropertyCount::merge(const PropertyCount& other) {
   cases += other.cases;
+  if (violations == 0) severity = other.severity;
   violations += other.violations;
   worst_ratio = std::max(worst_ratio, other.worst_ratio);
   if (other.first_place >= first_place) return;
@@ -42,7 +49,7 @@ void Tally::merge(const Tally& other) {
 std::uint64_t Tally::sum(Severity severity) const {
   std::uint64_t sum = 0;
   for (const Property p : all_properties)
-    if (info(p).severity == severity) sum += (*this)[p].violations;
+    if ((*this)[p].severity == severity) sum += (*this)[p].violations;
   return sum;
 }
 
@@ -50,7 +57,7 @@ std::vector<Property> broken(const Tally& tally) {
   std::vector<Property> list;
   for (const Severity severity : {Severity::violation, Severity::waste})
     for (const Property p : all_properties)
-      if (info(p).severity == severity && tally[p].violations > 0) list.push_back(p);
+      if (tally[p].severity == severity && tally[p].violations > 0) list.push_back(p);
   return list;
 }
 

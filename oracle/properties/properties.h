@@ -31,10 +31,14 @@ inline constexpr std::size_t property_count = all_properties.size();
 [[nodiscard]] std::array<const char*, property_count> names_of(Property any);
 [[nodiscard]] std::optional<Property> property_named(std::string_view name);
 
+/// What it means that a subject of such parts and claims breaks the property.
+[[nodiscard]] Severity severity_of(Property property, Parts parts);
+
 /// Counts of one property.
 struct PropertyCount {
   std::uint64_t cases = 0;
   std::uint64_t violations = 0;
+  Severity severity = Severity::violation; ///< of those
   /// Largest left side / right side of the formula; 1 is the limit. Negative: a yes-or-no property.
   double worst_ratio = -1;
   /// Of the violation found at the lowest place: where, and the values on both sides.
@@ -68,11 +72,13 @@ inline constexpr double no_ratio = -1;
 /// Where a check of one property at one place counts its cases.
 class Recorder {
 public:
-  Recorder(PropertyCount& count, std::uint64_t place) : count_(count), place_(place) {}
+  Recorder(PropertyCount& count, std::uint64_t place, Severity severity = Severity::violation)
+      : count_(count), place_(place), severity_(severity) {}
 
   /// See PropertyCount::record().
   template <class Describe>
   void operator()(bool holds, double ratio, Describe&& describe) const {
+    if (!holds) count_.severity = severity_;
     count_.record(holds, place_, ratio, std::forward<Describe>(describe));
   }
   /// For properties that hold or not, without a ratio.
@@ -84,6 +90,7 @@ public:
 private:
   PropertyCount& count_;
   std::uint64_t place_;
+  Severity severity_;
 };
 
 /// The counts of all properties. Merging is commutative, so the order of threads does not show.

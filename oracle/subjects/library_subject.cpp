@@ -56,6 +56,9 @@ class LibrarySubject : public KernelSubject {
 public:
   explicit LibrarySubject(std::string name, Builder builder = Builder::greedy)
       : KernelSubject(std::move(name)), builder_(builder) {}
+  [[nodiscard]] Parts parts() const override {
+    return builder_ == Builder::greedy ? all_parts : all_parts & ~only(Part::greedy_tree);
+  }
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
     return std::make_unique<BatchedTree<Importance>>(lightcuts::build(lights, {seed, builder_}));

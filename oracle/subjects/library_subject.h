@@ -130,7 +130,7 @@ public:
 /// place.
 class KernelSubject : public Subject {
 public:
-  static constexpr Parts all_parts = (1U << unsigned(part_count)) - 1;
+  static constexpr Parts all_parts = all_parts_and_claims;
 
   explicit KernelSubject(std::string name, SharedKernel kernel = {})
       : name_(std::move(name)), kernel_(std::move(kernel)) {}

@@ -25,7 +25,10 @@ class LightTree;
 
 namespace lightcuts::oracle {
 
-/// Parts of an implementation that are judged separately; one bit each.
+using Parts = unsigned;
+
+/// Parts of an implementation that are judged separately, and what it claims of itself; one bit
+/// each.
 enum class Part : unsigned {
   bounds = 1,            ///< SubjectTree::bound()
   lower_bounds = 2,      ///< SubjectTree::lower_bound()
@@ -35,14 +38,17 @@ enum class Part : unsigned {
   refinement_order = 32, ///< Subject::refined_before()
   occlusion = 64,        ///< Subject::sees()
   pictures = 128,        ///< Subject::render()
-  random_cuts = 256      ///< SubjectTree::draw()
+  random_cuts = 256,     ///< SubjectTree::draw()
+  // Claims.
+  greedy_tree = 512,   ///< the tree is that of greedy clustering
+  library_rules = 1024 ///< what this library promises beyond what makes a light tree right
 };
-inline constexpr int part_count = 9;
-using Parts = unsigned;
+inline constexpr int part_count = 9; ///< claims not counted
+inline constexpr Parts all_parts_and_claims = 2047;
 [[nodiscard]] constexpr Parts only(Part part) { return unsigned(part); }
 [[nodiscard]] constexpr bool has(Parts parts, Part part) { return (parts & only(part)) != 0; }
 [[nodiscard]] const char* name_of(Part part);
-/// Names of the parts that are not in the set.
+/// Names of the parts that are not in the set; claims have none.
 [[nodiscard]] std::vector<std::string> names_without(Parts parts);
 
 /// A light drawn from a cluster.

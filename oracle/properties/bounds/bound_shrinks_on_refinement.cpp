@@ -43,6 +43,7 @@ const PropertyInfo property::bound_shrinks_on_refinement{
     .name = "bound-shrinks-on-refinement",
     .statement = "The bounds of children sum to no more than their parent's.",
     .formula = "sum of the children's bounds <= bound (1 + 2^-22), the rounding of bounds",
+    .promise = Promise::library,
     .needs = only(Part::bounds),
     .of_clusters = each_cluster<check>,
     .sides = sides,

@@ -16,6 +16,7 @@ const PropertyInfo property::black_light_is_immaterial{
     .name = "black-light-is-immaterial",
     .statement = "A light of intensity 0 changes nothing.",
     .formula = "radiance at threshold 0 and the root's bound, but for rounding",
+    .promise = Promise::library,
     .of_invariance = [](const Invariance& of,
                         const Recorder& record) { of.closely(add_black, record); },
 };

@@ -19,6 +19,7 @@ const PropertyInfo property::intensity_scales_exactly{
     .name = "intensity-scales-exactly",
     .statement = "Lights 2^k times as bright: everything is, to the last bit.",
     .formula = "bounds, radiance at threshold 0 and certified error, divided by 2^k",
+    .promise = Promise::library,
     .of_invariance = [](const Invariance& of,
                         const Recorder& record) { of.exactly(brighten, factor, record); },
 };

@@ -20,6 +20,7 @@ const PropertyInfo property::length_scales_exactly{
     .name = "length-scales-exactly",
     .statement = "A scene 2^k times as large: nothing but 4^k changes.",
     .formula = "bounds and radiance at threshold 0, times 4^k, to the last bit",
+    .promise = Promise::library,
     .of_invariance = [](const Invariance& of,
                         const Recorder& record) { of.exactly(enlarge, 1, record); },
 };

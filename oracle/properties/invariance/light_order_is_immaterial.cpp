@@ -17,6 +17,7 @@ const PropertyInfo property::light_order_is_immaterial{
     .name = "light-order-is-immaterial",
     .statement = "The order of the lights changes nothing.",
     .formula = "radiance at threshold 0 and the root's bound, but for rounding",
+    .promise = Promise::library,
     .of_invariance = [](const Invariance& of,
                         const Recorder& record) { of.closely(reverse, record); },
 };

@@ -22,6 +22,7 @@ const PropertyInfo property::rotation_is_immaterial{
     .name = "rotation-is-immaterial",
     .statement = "A turn of the whole scene by right angles changes nothing.",
     .formula = "radiance at threshold 0 and the root's bound, but for rounding",
+    .promise = Promise::library,
     .of_invariance = [](const Invariance& of, const Recorder& record) { of.closely(turn, record); },
 };
 

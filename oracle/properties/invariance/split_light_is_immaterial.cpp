@@ -20,7 +20,9 @@ const PropertyInfo property::split_light_is_immaterial{
     .name = "split-light-is-immaterial",
     .statement = "Four quarters of a light are that light.",
     .formula = "radiance at threshold 0 and the root's bound, but for rounding",
-    .of_invariance = [](const Invariance& of, const Recorder& record) { of.closely(split, record); },
+    .promise = Promise::library,
+    .of_invariance = [](const Invariance& of,
+                        const Recorder& record) { of.closely(split, record); },
 };
 
 } // namespace lightcuts::oracle

@@ -24,7 +24,9 @@ const PropertyInfo property::translation_is_immaterial{
     .name = "translation-is-immaterial",
     .statement = "A shift of the whole scene changes nothing.",
     .formula = "radiance at threshold 0 and the root's bound, but for rounding",
-    .of_invariance = [](const Invariance& of, const Recorder& record) { of.closely(shift, record); },
+    .promise = Promise::library,
+    .of_invariance = [](const Invariance& of,
+                        const Recorder& record) { of.closely(shift, record); },
 };
 
 } // namespace lightcuts::oracle

@@ -2,20 +2,32 @@
 #include <oracle/properties/sampling/cluster_odds.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace lightcuts::oracle {
 
 ClusterOdds::ClusterOdds(const PointAnswers& answers, std::uint32_t cluster)
-    : point(answers), node(cluster), lights(point.topology().all_lights(node)),
-      p(point.judged.tree.probabilities(node, point.at.point, lights)) {
+    : point(answers), node(cluster) {
+  std::vector<std::pair<std::uint32_t, int>> open{{node, 0}};
+  while (!open.empty()) {
+    const auto [i, level] = open.back();
+    open.pop_back();
+    const auto own = point.topology().lights(i);
+    for (const std::uint32_t one : own) {
+      lights.push_back(one);
+      levels.push_back(level + (own.size() > 1 ? 1 : 0));
+    }
+    for (const std::uint32_t child : point.topology().children(i))
+      open.emplace_back(child, level + 1);
+  }
+  p = point.judged.tree.probabilities(node, point.at.point, lights);
   const LightSet& all = point.at.lights();
   for (const std::uint32_t i : lights)
     light.push_back(contribution(all[i], point.at.point, all.min_distance()));
 }
 
-double ClusterOdds::stated(std::uint32_t index) const {
-  const auto found = std::find(lights.begin(), lights.end(), index);
-  return found == lights.end() ? 0 : p[std::size_t(found - lights.begin())];
+std::size_t ClusterOdds::place_of(std::uint32_t index) const {
+  return std::size_t(std::find(lights.begin(), lights.end(), index) - lights.begin());
 }
 
 double ClusterOdds::none() const {

@@ -33,6 +33,13 @@ RandomCluster::RandomCluster(const PointAnswers& answers, std::uint32_t cluster)
 
 Draws::Draws(const PointAnswers& answers, const CutConfig& asked, const DrawConfig& config)
     : point(answers), cut(asked), seed_(config.seed) {
+  if (point.judged.has(Part::random_cuts))
+    of_random_cuts(config);
+  else
+    of_single_draws(config);
+}
+
+void Draws::of_random_cuts(const DrawConfig& config) {
   const Cut first = point.judged.tree.draw(
       point.at.point, cut, 0, [&](std::uint32_t light) { return point.at.sees(light); });
   std::uint64_t tests = 3 + first.clusters.size() - 1;
@@ -49,17 +56,25 @@ Draws::Draws(const PointAnswers& answers, const CutConfig& asked, const DrawConf
       spread_[c].variance += l.spread[c].variance;
       spread_[c].range += l.spread[c].range;
     }
-  count_ = needed(config.max_draws).value_or(0);
+  count_ = needed(config.max_draws, true).value_or(0);
 }
 
-/// So many that all is noticed that is to be; nothing if that is too many.
-std::optional<std::uint64_t> Draws::needed(std::uint64_t most) const {
+void Draws::of_single_draws(const DrawConfig& config) {
+  std::uint64_t tests = clusters_.emplace_back(point, 0).lights.size();
+  for (const std::uint32_t child : point.topology().children(0))
+    tests += clusters_.emplace_back(point, child).lights.size();
+  rate_ = sidak(sidak(config.false_alarms, config.cases), tests);
+  count_ = needed(config.max_draws, false).value_or(0);
+}
+
+/// So many that all is noticed that is to be, a bias if `unbiased`; nothing if that is too many.
+std::optional<std::uint64_t> Draws::needed(std::uint64_t most, bool unbiased) const {
   std::optional<std::uint64_t> draws = 1;
   const auto notice = [&](double deviation, const Spread& spread) {
     const auto enough = draws_to_notice(deviation, spread, rate_, overlooked, most);
     draws = draws && enough ? std::optional(std::max(*draws, *enough)) : std::nullopt;
   };
-  for (std::size_t c = 0; c < 3; ++c)
+  for (std::size_t c = 0; unbiased && c < 3; ++c)
     if (const auto truth = double(point.at.truth.seen(0)[c]); truth > least_seen)
       notice(noticed_bias * truth, spread_[c]);
   if (std::any_of(clusters_.begin(), clusters_.end(),

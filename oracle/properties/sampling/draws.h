@@ -37,6 +37,7 @@ struct DrawSums {
 /// Random cuts at a point, drawn when first asked for: so many that a bias of 1 % of the mean in
 /// any channel, and a light that is drawn with a probability 0.05 off, each go unnoticed with a
 /// probability of at most 0.001. Independence is tested with the same draws and states no power.
+/// Of a subject that makes no random cuts, lights are drawn from the root and its children.
 class Draws {
 public:
   const PointAnswers& point;
@@ -56,7 +57,9 @@ public:
   [[nodiscard]] const DrawSums& sums() const;
 
 private:
-  [[nodiscard]] std::optional<std::uint64_t> needed(std::uint64_t most) const;
+  void of_random_cuts(const DrawConfig& config);
+  void of_single_draws(const DrawConfig& config);
+  [[nodiscard]] std::optional<std::uint64_t> needed(std::uint64_t most, bool unbiased) const;
   [[nodiscard]] DrawSums drawn() const;
 
   std::uint64_t seed_, count_ = 0;

@@ -56,7 +56,7 @@ const PropertyInfo property::draws_follow_probabilities{
     .name = "draws-follow-probabilities",
     .statement = "Lights are drawn as often as their probabilities say.",
     .formula = "|count / n - probability| <= Bernstein's deviation, for each light",
-    .needs = only(Part::sampling) | only(Part::random_cuts),
+    .needs = only(Part::sampling),
     .of_draws = check,
 };
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cmath>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,21 +20,63 @@ void check_drawn(const ClusterOdds& of, double u, const DrawnLight& drawn, const
     });
     return;
   }
-  const double stated = of.stated(drawn.light);
-  record(stated == drawn.probability, [&] {
+  const std::size_t place = of.place_of(drawn.light);
+  const double stated = place < of.p.size() ? of.p[place] : 0;
+  // A product of one factor for each level, which rounds by 2^-53 as a factor (1 - p may stand for
+  // it: 2^-52) and by 2^-53 when it is multiplied, in sample() and in probability().
+  const int levels = place < of.p.size() ? of.levels[place] : 0;
+  const double allowed = levels * (0x1p-50 * stated + 0x1p-1074);
+  record(std::abs(stated - drawn.probability) <= allowed, [&] {
     return fmt::format("{}: u = {} draws light {} of node {} with probability {:.17g}, which is "
                        "{:.17g}",
                        of.point.at.text(), u, drawn.light, of.node, drawn.probability, stated);
   });
 }
 
+/// Draws, and checks what is drawn.
+class Drawing {
+public:
+  Drawing(const ClusterOdds& of, const Recorder& record) : of_(of), record_(record) {}
+
+  void by(std::span<const double> random) const {
+    std::vector<DrawnLight> drawn(random.size());
+    of_.point.judged.tree.samples(of_.node, of_.point.at.point, random, drawn);
+    for (std::size_t i = 0; i < random.size(); ++i) check_drawn(of_, random[i], drawn[i], record_);
+  }
+
+  /// A border between lights, if another one is drawn by `high` than by `low`: the two neighbouring
+  /// numbers that draw different ones.
+  void at_border(double low, double high) const {
+    const std::uint32_t first = light(low);
+    if (light(high) == first) return;
+    while (std::nextafter(low, high) < high) {
+      const double middle = low + 0.5 * (high - low);
+      (light(middle) == first ? low : high) = middle;
+    }
+    by(std::array{low, high});
+  }
+
+private:
+  [[nodiscard]] std::uint32_t light(double u) const {
+    const DrawnLight drawn = of_.point.judged.tree.sample(of_.node, of_.point.at.point, u);
+    return drawn.probability == 0 ? std::uint32_t(-1) : drawn.light;
+  }
+
+  const ClusterOdds& of_;
+  const Recorder& record_;
+};
+
+constexpr double largest = 1 - 0x1p-53; // below 1
+
 void check(const ClusterOdds& of, const Recorder& record) {
-  std::array<double, 8> random;
-  for (std::size_t i = 0; i < random.size(); ++i)
-    random[i] = (double(i) + 0.5) / double(random.size());
-  std::array<DrawnLight, random.size()> drawn;
-  of.point.judged.tree.samples(of.node, of.point.at.point, random, drawn);
-  for (std::size_t i = 0; i < random.size(); ++i) check_drawn(of, random[i], drawn[i], record);
+  std::array<double, 10> random{0, largest};
+  for (std::size_t i = 2; i < random.size(); ++i) random[i] = (double(i) - 1.5) / 8;
+  const Drawing drawing(of, record);
+  drawing.by(random);
+  // Each takes 50 draws or more.
+  constexpr std::size_t few = 8;
+  if (of.node != 0 || of.lights.size() > few) return;
+  for (int i = 0; i < 4; ++i) drawing.at_border(i / 4.0, i == 3 ? largest : (i + 1) / 4.0);
 }
 
 } // namespace
@@ -39,7 +84,8 @@ void check(const ClusterOdds& of, const Recorder& record) {
 const PropertyInfo property::draws_state_their_probability{
     .name = "draws-state-their-probability",
     .statement = "What is drawn comes with the probability of drawing it.",
-    .formula = "probability of sample() = probability() of the same light",
+    .formula = "probability of sample() = probability() of the same light, but for 2^-50 of it for "
+               "each level of the tree",
     .needs = only(Part::sampling),
     .of_odds = check,
 };

@@ -31,6 +31,7 @@ const PropertyInfo property::tree_equals_naive{
     .formula = "sum of intensity * squared size over clusters <= that of the naive tree (1 + "
                "2^-40)",
     .severity = Severity::waste,
+    .needs = only(Part::greedy_tree),
     .of_tree = check,
 };
 

@@ -16,7 +16,8 @@ namespace lightcuts::oracle {
 /// What the library has.
 inline constexpr Parts library_parts =
     only(Part::bounds) | only(Part::lower_bounds) | only(Part::estimates) | only(Part::cuts) |
-    only(Part::refinement_order) | only(Part::occlusion) | only(Part::pictures);
+    only(Part::refinement_order) | only(Part::occlusion) | only(Part::pictures) |
+    only(Part::greedy_tree) | only(Part::library_rules);
 
 /// A tree and a shading point with the truth there: what the properties are checked on.
 struct JudgedPoint {

@@ -120,8 +120,7 @@ void OpenedScene::open_counterexample() {
 }
 
 oracle::Parts OpenedScene::parts() const {
-  constexpr oracle::Parts all = (1U << unsigned(oracle::part_count)) - 1;
-  return subject_ ? subject_->parts() : all;
+  return subject_ ? subject_->parts() : oracle::all_parts_and_claims;
 }
 
 void OpenedScene::judge_counterexample() {

@@ -25,6 +25,14 @@
 /// - Pointers are never NULL, and valid during the call only.
 /// - Colours are three numbers: red, green, blue. Floats are finite unless said otherwise, and
 ///   taken as exact real numbers.
+/// - What is promised is promised in real numbers: of a contribution of 10^-388, which no double
+///   holds, a bound of 0 is too small.
+/// - A leaf of several lights cannot be refined. In a cut that did not end by its largest size, its
+///   estimate is within what the threshold allows a cluster of what those of its lights that are
+///   seen contribute; light by light, each asked for by visible(), is the plain way.
+/// - Promises of lightcuts itself beyond what makes a light tree right are wastes of yours, not
+///   violations: that bounds shrink on refinement, and that nothing changes where a scene is scaled,
+///   turned, shifted, or its lights are listed otherwise.
 
 #include <stdint.h>
 
@@ -176,13 +184,15 @@ typedef struct lightcuts_subject {
   int (*select)(void* tree, const lightcuts_point* point, const lightcuts_cut_config* config,
                 const lightcuts_visibility* visibility, lightcuts_cut* cut);
 
-  /// Draws one of the cluster's lights by a random number u in [0, 1), whatever is occluded.
+  /// Draws one of the cluster's lights by a random number u in [0, 1), whatever is occluded, each as
+  /// often as probability() says.
   /// probability: with which it is drawn, > 0; 0 where no light contributes and none is drawn.
   /// Judged only beside probability().
   int (*sample)(void* tree, uint32_t node, const lightcuts_point* point, double u, uint32_t* light,
                 double* probability);
-  /// The probability with which sample() draws that light of the cluster, which is one of its own.
-  /// Judged only beside sample().
+  /// The probability with which sample() draws that light of the cluster, which is one of its own;
+  /// both may round, by 2^-50 of it together for each level of the tree between. Judged only beside
+  /// sample().
   int (*probability)(void* tree, uint32_t node, const lightcuts_point* point, uint32_t light,
                      double* probability);
 
