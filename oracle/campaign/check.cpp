@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <mutex>
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include <tbb/task_arena.h>
 
 #include <lightcuts/core/input_error.h>
+#include <lightcuts/core/jobs/seconds_since.h>
 #include <oracle/campaign/scene_case.h>
 #include <oracle/cases/random_pixels.h>
 #include <oracle/properties/bounds/bound_sweep.h>
@@ -23,12 +23,6 @@
 
 namespace lightcuts::oracle {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// What one thread works with.
 struct Worker {
@@ -115,13 +109,13 @@ public:
     while (result_.points < points && result_.complete) {
       check_block(result_.points, std::min(points, result_.points + block_size()));
       collect();
-      if (config_.progress) config_.progress(double(result_.points) / double(points));
+      config_.progress.report(double(result_.points) / double(points));
       if (config_.checkpoint && seconds_since(saved_) >= seconds_per_checkpoint) {
         config_.checkpoint(result_);
         saved_ = Clock::now();
       }
       const bool out_of_time = config_.seconds > 0 && seconds_since(start_) >= config_.seconds;
-      if (out_of_time || failed_ || (config_.cancelled && config_.cancelled()))
+      if (out_of_time || failed_ || config_.progress.cancelled())
         result_.complete = result_.points >= points && !failed_;
     }
     return finished();

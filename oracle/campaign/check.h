@@ -5,6 +5,7 @@
 #include <functional>
 
 #include <lightcuts/core/cut/cut_selector.h>
+#include <lightcuts/core/jobs/progress.h>
 #include <lightcuts/render/view/scene_view.h>
 #include <oracle/properties/properties.h>
 #include <oracle/subjects/subject.h>
@@ -15,11 +16,10 @@ struct CheckConfig {
   std::uint64_t seed = 1;      ///< of the choice of pixels and rays
   std::uint64_t tree_seed = 1; ///< of the subject's tree
   CutConfig cut;
-  std::uint64_t pairs = 10'000'000;     ///< (node, shading point) pairs to check at least
-  double seconds = 0;                   ///< ends after so many, with whole points; 0: no limit
-  unsigned threads = 0;                 ///< 0: one per core
-  std::function<void(double)> progress; ///< share done; called by one thread; may be empty
-  std::function<bool()> cancelled;      ///< asked now and then whether to end; may be empty
+  std::uint64_t pairs = 10'000'000; ///< (node, shading point) pairs to check at least
+  double seconds = 0;               ///< ends after so many, with whole points; 0: no limit
+  unsigned threads = 0;             ///< 0: one per core
+  Progress progress;                ///< told and asked now and then, by one thread
   /// Given what has been counted so far, twice a minute, by one thread; may be empty.
   std::function<void(const struct CheckResult&)> checkpoint;
 };

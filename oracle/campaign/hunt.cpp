@@ -2,20 +2,14 @@
 #include <oracle/campaign/hunt.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 #include <vector>
 
 #include <lightcuts/core/input_error.h>
+#include <lightcuts/core/jobs/seconds_since.h>
 
 namespace lightcuts::oracle {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// How near a property is to the cause; see broken().
 std::size_t distance_from_cause(const Subject& subject, Property property) {
@@ -27,16 +21,19 @@ std::size_t distance_from_cause(const Subject& subject, Property property) {
 
 HuntResult hunt(const Subject& subject, const HuntConfig& config) {
   const auto start = Clock::now();
-  const auto in_time = [&] { return config.seconds == 0 || seconds_since(start) < config.seconds; };
+  const auto goes_on = [&] {
+    const bool in_time = config.seconds == 0 || seconds_since(start) < config.seconds;
+    return in_time && !config.progress.cancelled();
+  };
   HuntResult result;
   std::uint64_t end = config.cases;
-  for (; result.cases < end && in_time(); ++result.cases) {
+  for (; result.cases < end && goes_on(); ++result.cases) {
     const std::uint64_t index = result.cases;
     const Case on = random_case(config.seed, index);
     Tally tally;
     check_case(subject, on, index, tally);
     result.tally.merge(tally);
-    if (config.progress) config.progress(double(index + 1) / double(config.cases));
+    config.progress.report(double(index + 1) / double(config.cases));
     const std::vector<Property> list = broken(tally);
     if (list.empty() || (!config.waste && tally[list.front()].severity == Severity::waste))
       continue;

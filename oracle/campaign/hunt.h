@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 
+#include <lightcuts/core/jobs/progress.h>
 #include <oracle/properties/judge.h>
 
 namespace lightcuts::oracle {
@@ -17,7 +17,7 @@ struct HuntConfig {
   bool waste = true;            ///< whether waste counts as found; default true
   std::uint64_t further = 0;    ///< cases judged after the first that fails, in search of one that
                                 ///< fails a property nearer to the cause; default 0
-  std::function<void(double)> progress; ///< share done; may be empty
+  Progress progress;            ///< asked before each case whether to end
 };
 
 /// A case on which a property does not hold, and what check_case() said of it.

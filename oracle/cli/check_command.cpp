@@ -16,7 +16,7 @@
 #include <oracle/cli/common.h>
 #include <oracle/cli/count.h>
 #include <oracle/cli/counterexample_file.h>
-#include <oracle/cli/progress.h>
+#include <oracle/cli/progress_line.h>
 #include <oracle/cli/property_table.h>
 #include <oracle/cli/subjects.h>
 #include <oracle/records/record_json.h>
@@ -138,9 +138,8 @@ CheckResult checked(const CheckOptions& options, const SceneView& view,
   }
   if (!options.time.empty()) config.seconds = *parse_duration(options.time);
   const InterruptGuard guard;
-  config.cancelled = [] { return interrupted != 0; };
-  Progress progress("check " + options.scene);
-  config.progress = progress.callback();
+  ProgressLine line("check " + options.scene);
+  config.progress = line.progress([] { return interrupted != 0; });
   const CheckResult result = check(view, subject, config, before);
   if (campaign) campaign->save(result);
   return result;

@@ -14,7 +14,7 @@
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
 #include <oracle/cli/count.h>
-#include <oracle/cli/progress.h>
+#include <oracle/cli/progress_line.h>
 #include <oracle/cli/subjects.h>
 #include <oracle/mutants/mutants.h>
 #include <oracle/subjects/library_subject.h>
@@ -132,11 +132,11 @@ int run(const MutantsOptions& options) {
   std::size_t caught = 0;
   Verdict library;
   {
-    Progress progress("mutants");
+    ProgressLine line("mutants");
     for (const oracle::Mutant& mutant : mutants) {
       verdicts.push_back(judge(*mutant.subject(), config, mutant.what_is_wrong));
       caught += verdicts.back().found ? 1 : 0;
-      progress.update(double(verdicts.size()) / double(mutants.size() + 1));
+      line.update(double(verdicts.size()) / double(mutants.size() + 1));
     }
     library = judge(*oracle::library_subject(), config, "");
   }

@@ -9,7 +9,7 @@
 #include <lightcuts/render/view/scene_features.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
-#include <oracle/cli/progress.h>
+#include <oracle/cli/progress_line.h>
 #include <oracle/report/plots/pictures.h>
 
 namespace lightcuts::cli {
@@ -43,8 +43,8 @@ int run(const RenderOptions& options) {
       config.method == methods::lightcuts ? features.tree : config.method != methods::reference;
   Rendering rendering;
   {
-    Progress progress("render " + options.scene);
-    config.progress = progress.callback();
+    ProgressLine line("render " + options.scene);
+    config.progress = line.progress();
     rendering = render(view, tree, config);
   }
   oracle::write_pictures(

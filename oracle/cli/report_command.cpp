@@ -5,7 +5,7 @@
 
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
-#include <oracle/cli/progress.h>
+#include <oracle/cli/progress_line.h>
 #include <oracle/report/measure.h>
 #include <oracle/report/pages/report_csv.h>
 #include <oracle/report/pages/report_html.h>
@@ -58,8 +58,8 @@ int run(const ReportOptions& options) {
   oracle::MeasureConfig config = config_of(options, view);
   oracle::Measurement m;
   {
-    Progress progress("report " + options.scene);
-    config.progress = progress.callback();
+    ProgressLine line("report " + options.scene);
+    config.progress = line.progress();
     m = measure(view, config);
   }
   m.report.pictures = oracle::write_pictures(

@@ -9,7 +9,7 @@
 #include <oracle/cli/common.h>
 #include <oracle/cli/count.h>
 #include <oracle/cli/counterexample_file.h>
-#include <oracle/cli/progress.h>
+#include <oracle/cli/progress_line.h>
 #include <oracle/cli/property_table.h>
 #include <oracle/cli/subjects.h>
 
@@ -23,8 +23,8 @@ oracle::HuntResult hunted(const StressOptions& options, const oracle::Subject& s
   config.seed = options.seed;
   config.cases = *parse_count(options.cases);
   config.waste = oracle::is_library(subject);
-  Progress progress("stress " + options.subject);
-  config.progress = progress.callback();
+  ProgressLine line("stress " + options.subject);
+  config.progress = line.progress();
   return hunt(subject, config);
 }
 

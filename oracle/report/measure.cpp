@@ -2,7 +2,6 @@
 #include <oracle/report/measure.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include <lightcuts/core/input_error.h>
+#include <lightcuts/core/jobs/seconds_since.h>
 #include <lightcuts/core/methods/paper.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <oracle/cases/random_pixels.h>
@@ -61,10 +61,6 @@ bool leaves_tree_out(const Row& row) {
   return row.config.method == methods::lightcuts && !row.config.use_tree;
 }
 
-void throw_if_cancelled(const MeasureConfig& config) {
-  if (config.cancelled && config.cancelled()) throw MeasureCancelled();
-}
-
 void run_in_turn(const SceneView& view, const LightTree& tree, const MeasureConfig& config,
                  std::vector<Row>& rows) {
   const double total = double(rows.size()) * config.repeats;
@@ -73,11 +69,9 @@ void run_in_turn(const SceneView& view, const LightTree& tree, const MeasureConf
     for (Row& row : rows) {
       ++done;
       if (leaves_tree_out(row)) continue;
-      if (config.progress)
-        row.config.progress = [&](double share) { config.progress((done - 1 + share) / total); };
-      row.config.cancelled = config.cancelled;
+      row.config.progress = config.progress.part((done - 1) / total, 1 / total);
       Rendering picture = render(view, tree, row.config);
-      throw_if_cancelled(config);
+      config.progress.leave_if_cancelled();
       row.seconds.push_back(picture.seconds);
       row.picture = std::move(picture);
     }
@@ -131,7 +125,7 @@ std::vector<SampledRow> sample_sizes(const SceneView& view, const LightTree& tre
   std::vector<char> visible(lights);
   const auto seen = [&](std::uint32_t j) { return visible[j] != 0; };
   for (std::size_t i = 0; i < points; ++i) {
-    throw_if_cancelled(config);
+    config.progress.leave_if_cancelled();
     const VisiblePoint p = random_point(view, config.seed, i);
     for (std::uint32_t j = 0; j < lights; ++j) visible[j] = view.sees(p, j) ? 1 : 0;
     truth.evaluate(topology, scene_lights, p.point, visible);
@@ -256,10 +250,9 @@ KernelSaving measure_kernels(const Scene& scene, const LightTree& tree,
 }
 
 Measurement measure(const SceneView& view, const MeasureConfig& config) {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   const LightTree tree = build(view.scene().lights, {config.seed, config.builder});
-  const double build_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double build_seconds = seconds_since(start);
   if (tree.empty()) throw InputError(InputFault::missing, view.scene().name + ": no lights");
 
   Measurement m;

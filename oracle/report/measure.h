@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <stdexcept>
 #include <vector>
 
 #include <lightcuts/core/tree/tree_builder.h>
@@ -19,16 +17,9 @@ struct MeasureConfig {
   std::vector<Method> methods{methods::reference, methods::lightcuts};
   std::vector<float> thresholds{0.01F, 0.02F, 0.04F, 0.08F}; ///< of the methods that have one
   std::uint32_t max_cut = default_max_cut;
-  unsigned threads = 0;                 ///< 0: one per core
-  int repeats = 3;                      ///< runs of each row, in turn; the median counts
-  std::function<void(double)> progress; ///< share done; may be empty
-  std::function<bool()> cancelled;      ///< asked now and then, by any thread; may be empty
-};
-
-/// Thrown by measure() once it is cancelled.
-class MeasureCancelled : public std::runtime_error {
-public:
-  MeasureCancelled() : std::runtime_error("cancelled") {}
+  unsigned threads = 0; ///< 0: one per core
+  int repeats = 3;      ///< runs of each row, in turn; the median counts
+  Progress progress;
 };
 
 /// A report with the pictures that belong to it.
@@ -43,7 +34,7 @@ struct Measurement {
 /// Renders every method at every threshold, several times in turn so that the machine's mood hits
 /// all alike, and compares with the exact picture. Where lightcuts leaves the tree out it does what
 /// the reference does, and has its times and picture. Throws InputError where the scene has no
-/// light or the camera sees nothing, and MeasureCancelled.
+/// light or the camera sees nothing, and Cancelled.
 [[nodiscard]] Measurement measure(const SceneView& view, const MeasureConfig& config);
 
 /// What leaving out what the scene does not need saves.

@@ -20,14 +20,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <lightcuts/core/jobs/seconds_since.h>
 #include <oracle/subjects/subject.h>
 
 extern char** environ;
 
 namespace lightcuts::oracle {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 [[noreturn]] void throw_errno(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);

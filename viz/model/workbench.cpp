@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <viz/model/workbench.h>
 
-#include <chrono>
 #include <exception>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include <lightcuts/core/jobs/seconds_since.h>
 
 namespace lightcuts::viz {
 namespace {
 
 /// Points on the curve of a refinement: one per millisecond or so.
 constexpr std::size_t curve_points = 64;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// The reference has no cut: that of lightcuts is looked at, by the chosen settings.
 Method inspected_method(const DisplayMethod& display) {
@@ -75,18 +72,18 @@ void Workbench::ask_to_open() {
     return;
   }
   asked_to_open_ = state.open;
-  opener_.start([request = state.open, handover = handover_](const std::stop_token& stop) {
+  opener_.start([request = state.open, handover = handover_](const Progress& progress) {
     std::shared_ptr<const OpenedScene> opened;
     std::string failure;
     try {
-      opened = std::make_shared<const OpenedScene>(request, stop);
-    } catch (const OpeningCancelled&) {
+      opened = std::make_shared<const OpenedScene>(request, progress);
+    } catch (const Cancelled&) {
       return;
     } catch (const std::exception& error) {
       failure = error.what();
     }
     const std::lock_guard lock(handover->mutex);
-    if (stop.stop_requested()) return;
+    if (progress.cancelled()) return;
     handover->scene = std::move(opened);
     handover->open_failure = std::move(failure);
   });
@@ -214,21 +211,21 @@ void Workbench::ask_for_inspection() {
     if (!state.pixel) inspection_.reset();
     return;
   }
-  const auto asked = std::chrono::steady_clock::now();
-  inspector_.start([key = *key, asked, handover = handover_](const std::stop_token& stop) {
-    const auto cancelled = [&stop] { return stop.stop_requested(); };
+  const auto asked = Clock::now();
+  inspector_.start([key = *key, asked, handover = handover_](const Progress& progress) {
     InspectionResult result{key, {}};
     const auto hand_over = [&] {
       const std::lock_guard lock(handover->mutex);
-      if (!cancelled()) handover->inspection = std::make_shared<const InspectionResult>(result);
+      if (!progress.cancelled())
+        handover->inspection = std::make_shared<const InspectionResult>(result);
     };
     try {
       result.inspection = inspect(key);
       result.seconds = seconds_since(asked);
       hand_over();
-      result.curve = refinement_curve(key, curve_points, cancelled);
+      result.curve = refinement_curve(key, curve_points, progress);
       hand_over();
-      if (!add_truth(key, result.inspection, cancelled)) return;
+      if (!add_truth(key, result.inspection, progress)) return;
     } catch (const std::exception& error) {
       result.failure = error.what();
     }
@@ -269,16 +266,14 @@ std::optional<ClusterRow> Workbench::row(std::uint32_t node) {
 
 void Workbench::start_report(const oracle::MeasureConfig& config) {
   if (!scene_ || reporter_.busy()) return;
-  report_share_ = 0;
-  reporter_.start([this, config = oracle::MeasureConfig(config), scene = scene_,
-                   handover = handover_](const std::stop_token& stop) mutable {
-    config.progress = [this](double share) { report_share_ = share; };
-    config.cancelled = [&stop] { return stop.stop_requested(); };
+  reporter_.start([config = oracle::MeasureConfig(config), scene = scene_,
+                   handover = handover_](const Progress& progress) mutable {
+    config.progress = progress;
     std::optional<ReportResult> result;
     std::string failure;
     try {
       result = ReportResult{scene, oracle::measure(scene->view(), config).report};
-    } catch (const oracle::MeasureCancelled&) {
+    } catch (const Cancelled&) {
       return;
     } catch (const std::exception& error) {
       failure = error.what();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -100,7 +99,7 @@ public:
   void start_report(const oracle::MeasureConfig& config);
   void cancel_report();
   [[nodiscard]] bool reporting() const { return reporter_.busy(); }
-  [[nodiscard]] double report_share() const { return report_share_; }
+  [[nodiscard]] double report_share() const { return reporter_.share(); }
   [[nodiscard]] const std::optional<ReportResult>& report() const { return report_; }
 
 private:
@@ -141,7 +140,6 @@ private:
   std::unordered_map<std::uint32_t, std::optional<ClusterRow>> other_rows_;
   const InspectionResult* other_rows_of_ = nullptr;
   std::optional<ReportResult> report_;
-  std::atomic<double> report_share_ = 0;
 
   PictureQueue queue_;
   Worker opener_{Niceness::background};

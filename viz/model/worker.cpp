@@ -47,7 +47,7 @@ void Worker::run(const std::stop_token& end) {
   if (niceness_ == Niceness::background) give_way();
   for (;;) {
     Job job;
-    std::stop_token token;
+    std::stop_token stop;
     {
       std::unique_lock lock(mutex_);
       running_ = false;
@@ -55,10 +55,12 @@ void Worker::run(const std::stop_token& end) {
       job = std::move(*next_);
       next_.reset();
       current_ = std::stop_source();
-      token = current_.get_token();
+      stop = current_.get_token();
       running_ = true;
     }
-    job(token);
+    share_ = 0;
+    job(Progress([this](double share) { share_ = share; },
+                 [&stop] { return stop.stop_requested(); }));
   }
 }
 

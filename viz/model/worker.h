@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
 #include <optional>
 #include <stop_token>
 #include <thread>
+
+#include <lightcuts/core/jobs/progress.h>
 
 namespace lightcuts::viz {
 
@@ -17,9 +20,9 @@ enum class Niceness { prompt, background };
 /// one before, and takes the place of one that waits.
 class Worker {
 public:
-  /// A job that can be left looks at its token now and then, and returns soon after that says stop;
-  /// one that cannot is waited for.
-  using Job = std::function<void(std::stop_token)>;
+  /// A job that can be left asks now and then, and returns soon after it is cancelled; one that
+  /// cannot is waited for.
+  using Job = std::function<void(const Progress&)>;
 
   explicit Worker(Niceness niceness);
   /// Cancels, and waits for the job to return.
@@ -32,6 +35,8 @@ public:
   void cancel();
   /// Whether a job runs or waits.
   [[nodiscard]] bool busy() const;
+  /// Of the job that runs, or ran last, as far as it has told.
+  [[nodiscard]] double share() const { return share_; }
 
 private:
   void run(const std::stop_token& end);
@@ -42,6 +47,7 @@ private:
   std::optional<Job> next_;
   std::stop_source current_;
   bool running_ = false;
+  std::atomic<double> share_ = 0;
   std::jthread thread_; ///< last: starts when the rest is there
 };
 

@@ -145,7 +145,7 @@ TEST(Check, EndsWhereItIsCancelledAndGoesOnFromThere) {
   const SceneView view(scene);
   CheckConfig config = config_of(59 * 20'000);
   int asked = 0;
-  config.cancelled = [&asked] { return ++asked == 2; };
+  config.progress = Progress::until([&asked] { return ++asked == 2; });
   const CheckResult part = check(view, *library_subject(), config);
   EXPECT_FALSE(part.complete);
   EXPECT_GT(part.points, 0U);
@@ -196,10 +196,10 @@ TEST(Check, DependsOnTheSeed) {
 TEST(Check, ReportsProgressUpToTheEnd) {
   double last = 0;
   CheckConfig config = config_of(2'000, 1);
-  config.progress = [&](double share) {
+  config.progress = Progress([&](double share) {
     EXPECT_GE(share, last);
     last = share;
-  };
+  });
   (void)check_library(floor_scene(20), config);
   EXPECT_EQ(last, 1);
 }

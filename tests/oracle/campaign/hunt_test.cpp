@@ -101,7 +101,8 @@ TEST(Hunt, FindsTheSameEachTimeHoweverLongItTakes) {
     const HuntResult once = hunt(subject, config_of(1000, seed));
     HuntConfig slow = config_of(1000, seed);
     slow.seconds = for_ever;
-    slow.progress = [](double) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
+    slow.progress =
+        Progress([](double) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
     const HuntResult again = hunt(subject, slow);
     ASSERT_TRUE(once.found && again.found);
     EXPECT_EQ(once.cases, again.cases);
@@ -119,13 +120,20 @@ TEST(Hunt, EndsAfterSoManySeconds) {
   EXPECT_GE(result.seconds, config.seconds);
 }
 
+TEST(Hunt, EndsWhereItIsCancelled) {
+  HuntConfig config = config_of(1'000'000'000);
+  int asked = 0;
+  config.progress = Progress::until([&asked] { return ++asked > 3; });
+  EXPECT_EQ(hunt(*library_subject(), config).cases, 3U);
+}
+
 TEST(Hunt, ReportsProgressUpToTheEnd) {
   double last = 0;
   HuntConfig config = config_of(20);
-  config.progress = [&](double share) {
+  config.progress = Progress([&](double share) {
     EXPECT_GT(share, last);
     last = share;
-  };
+  });
   (void)hunt(*library_subject(), config);
   EXPECT_EQ(last, 1);
 }

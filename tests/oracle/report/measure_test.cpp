@@ -167,10 +167,10 @@ TEST(Measure, ReportsProgressUpToTheEnd) {
   double last = 0;
   MeasureConfig config = quick();
   config.threads = 1;
-  config.progress = [&](double share) {
+  config.progress = Progress([&](double share) {
     EXPECT_GE(share, last);
     last = share;
-  };
+  });
   (void)measured(many_lights(), config);
   EXPECT_NEAR(last, 1, 1e-12);
 }
@@ -187,21 +187,20 @@ TEST(Measure, GivesTheSameErrorsEachTime) {
 
 TEST(Measure, EndsWhereItIsCancelled) {
   MeasureConfig config = quick();
-  config.cancelled = [] { return true; };
-  EXPECT_THROW((void)measured(many_lights(), config), MeasureCancelled);
+  config.progress = Progress::until([] { return true; });
+  EXPECT_THROW((void)measured(many_lights(), config), Cancelled);
   // In the middle, too, without going on to the rows that are left.
   std::atomic<double> share = 0;
   config.repeats = 1'000'000;
-  config.progress = [&](double done) { share = done; };
-  config.cancelled = [&] { return share > 0; };
-  EXPECT_THROW((void)measured(floor_scene(20), config), MeasureCancelled);
+  config.progress = Progress([&](double done) { share = done; }, [&] { return share > 0; });
+  EXPECT_THROW((void)measured(floor_scene(20), config), Cancelled);
   EXPECT_LT(share, 0.01);
 }
 
 TEST(Measure, IsTheSameWhereItCouldHaveBeenCancelled) {
   const Scene scene = floor_scene(20);
   MeasureConfig config = quick();
-  config.cancelled = [] { return false; };
+  config.progress = Progress::until([] { return false; });
   EXPECT_EQ(measured(scene, config).reference.radiance, measured(scene).reference.radiance);
 }
 

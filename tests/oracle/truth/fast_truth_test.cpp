@@ -2,7 +2,6 @@
 #include <oracle/subjects/library_subject.h>
 #include <oracle/truth/fast_truth.h>
 
-#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -10,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <lightcuts/core/jobs/seconds_since.h>
 #include <lightcuts/core/kernels/contribution_bound.h>
 #include <tests/oracle/support/judged_point.h>
 #include <tests/support/generators.h>
@@ -221,11 +221,10 @@ TEST(Throughput, OfComparingAllNodesWithTheTruth) {
   std::vector<glm::vec3> bounds(tree.nodes().size());
   std::array<double, 3> seconds{};
   std::size_t compared = 0, undecided = 0;
-  auto last = std::chrono::steady_clock::now();
+  auto last = Clock::now();
   const auto lap = [&](double& sum) {
-    const auto now = std::chrono::steady_clock::now();
-    sum += std::chrono::duration<double>(now - last).count();
-    last = now;
+    sum += seconds_since(last);
+    last = Clock::now();
   };
   for (const ShadingPoint& point : points) {
     contribution_bounds(tree, point, bounds);

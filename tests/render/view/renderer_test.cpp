@@ -258,7 +258,8 @@ TEST(Renderer, TellsOfEachWantedPixelOnce) {
 TEST(Renderer, LeavesPixelsWhenCancelled) {
   const Room room;
   std::atomic<int> asked = 0;
-  const Rendering r = room.rendered({.threads = 1, .cancelled = [&] { return ++asked > 40; }});
+  const Rendering r =
+      room.rendered({.threads = 1, .progress = Progress::until([&] { return ++asked > 40; })});
   EXPECT_EQ(r.surface_pixels, 40U);
 }
 
@@ -283,12 +284,12 @@ TEST(Renderer, ReportsProgressUpToTheEnd) {
   std::atomic<int> calls = 0;
   std::atomic<bool> ended = false;
   RenderConfig config;
-  config.progress = [&](double share) {
+  config.progress = Progress([&](double share) {
     ++calls;
     EXPECT_GT(share, 0);
     EXPECT_LE(share, 1);
     if (share == 1) ended = true;
-  };
+  });
   (void)room.rendered(config);
   EXPECT_GT(calls, 1);
   EXPECT_TRUE(ended);

@@ -17,8 +17,8 @@ namespace {
 
 using testing::ElementsAre;
 
-void wait_for_stop(const std::stop_token& stop) {
-  comes_true([&] { return stop.stop_requested(); });
+void wait_for_stop(const Progress& progress) {
+  comes_true([&] { return progress.cancelled(); });
 }
 
 TEST(Worker, DoesAJobOnAnotherThread) {
@@ -26,9 +26,9 @@ TEST(Worker, DoesAJobOnAnotherThread) {
   EXPECT_FALSE(worker.busy());
   std::atomic<bool> done = false;
   std::thread::id by;
-  worker.start([&](const std::stop_token& stop) {
+  worker.start([&](const Progress& progress) {
     by = std::this_thread::get_id();
-    done = !stop.stop_requested();
+    done = !progress.cancelled();
   });
   ASSERT_TRUE(comes_true([&] { return done && !worker.busy(); }));
   EXPECT_NE(by, std::this_thread::get_id());
@@ -38,15 +38,15 @@ TEST(Worker, DoesOnlyTheLatestOfWhatWaits) {
   Worker worker(Niceness::prompt);
   std::vector<char> order;
   std::atomic<bool> begun = false, may_end = false;
-  worker.start([&](const std::stop_token& stop) {
+  worker.start([&](const Progress& progress) {
     begun = true;
-    wait_for_stop(stop);
+    wait_for_stop(progress);
     order.push_back('a');
     comes_true([&] { return may_end.load(); });
   });
   ASSERT_TRUE(comes_true([&] { return begun.load(); }));
-  worker.start([&](const std::stop_token&) { order.push_back('b'); });
-  worker.start([&](const std::stop_token&) { order.push_back('c'); });
+  worker.start([&](const Progress&) { order.push_back('b'); });
+  worker.start([&](const Progress&) { order.push_back('c'); });
   EXPECT_TRUE(worker.busy());
   may_end = true;
   ASSERT_TRUE(comes_true([&] { return !worker.busy(); }));
@@ -56,13 +56,13 @@ TEST(Worker, DoesOnlyTheLatestOfWhatWaits) {
 TEST(Worker, CancelsWhatRunsAndWhatWaits) {
   Worker worker(Niceness::prompt);
   std::atomic<bool> begun = false, stopped = false, ran = false;
-  worker.start([&](const std::stop_token& stop) {
+  worker.start([&](const Progress& progress) {
     begun = true;
-    wait_for_stop(stop);
-    stopped = stop.stop_requested();
+    wait_for_stop(progress);
+    stopped = progress.cancelled();
   });
   ASSERT_TRUE(comes_true([&] { return begun.load(); }));
-  worker.start([&](const std::stop_token&) { ran = true; });
+  worker.start([&](const Progress&) { ran = true; });
   worker.cancel();
   ASSERT_TRUE(comes_true([&] { return !worker.busy(); }));
   EXPECT_TRUE(stopped);
@@ -73,7 +73,7 @@ TEST(Worker, IsOfUseAfterCancelling) {
   Worker worker(Niceness::prompt);
   worker.cancel();
   std::atomic<int> runs = 0;
-  worker.start([&](const std::stop_token& stop) { runs += stop.stop_requested() ? 100 : 1; });
+  worker.start([&](const Progress& progress) { runs += progress.cancelled() ? 100 : 1; });
   ASSERT_TRUE(comes_true([&] { return !worker.busy(); }));
   EXPECT_EQ(runs, 1);
 }
@@ -82,10 +82,10 @@ TEST(Worker, CancelsAndWaitsAtItsEnd) {
   std::atomic<bool> begun = false, stopped = false, returned = false;
   {
     Worker worker(Niceness::background);
-    worker.start([&](const std::stop_token& stop) {
+    worker.start([&](const Progress& progress) {
       begun = true;
-      wait_for_stop(stop);
-      stopped = stop.stop_requested();
+      wait_for_stop(progress);
+      stopped = progress.cancelled();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       returned = true;
     });
@@ -98,8 +98,7 @@ TEST(Worker, CancelsAndWaitsAtItsEnd) {
 int niceness_of_a_job(Niceness niceness) {
   Worker worker(niceness);
   std::atomic<int> found = -100;
-  worker.start(
-      [&](const std::stop_token&) { found = ::getpriority(PRIO_PROCESS, id_t(gettid())); });
+  worker.start([&](const Progress&) { found = ::getpriority(PRIO_PROCESS, id_t(gettid())); });
   comes_true([&] { return !worker.busy(); });
   return found;
 }

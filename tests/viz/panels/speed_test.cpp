@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <thread>
 
 #include <gtest/gtest.h>
 
+#include <lightcuts/core/jobs/seconds_since.h>
 #include <tests/viz/support/gui_robot.h>
 #include <viz/panels/app/frame_pacer.h>
 
 namespace lightcuts::viz {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Median time of a frame, milliseconds, while somebody moves the mouse.
 double frame_milliseconds(Robot& robot, int frames) {

@@ -22,14 +22,13 @@ public:
   int calls = 0; ///< of make()
 
 protected:
-  void make(const std::function<bool(glm::uvec2)>& wanted,
-            const std::function<bool()>& cancelled) override {
+  void make(const std::function<bool(glm::uvec2)>& wanted, const Progress& progress) override {
     ++calls;
     for (unsigned y = 0; y < size().y; ++y)
       for (unsigned x = 0; x < size().x; ++x) {
         if (!wanted({x, y})) continue;
         before_pixel();
-        if (cancelled()) return;
+        if (progress.cancelled()) return;
         const std::uint32_t i = y * size().x + x;
         ++times[i];
         values[i] = i + 1;

@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include <lightcuts/core/jobs/seconds_since.h>
 #include <viz/model/picture/frame.h>
 #include <viz/model/scene/opened_scene.h>
 
@@ -51,13 +52,11 @@ inline FrameKey small_key(Method method = methods::lightcuts,
   return {small_scene(), method, settings, small_scene()->scene().camera};
 }
 
-inline bool never() { return false; }
-
 /// A whole picture.
 template <class P>
 std::shared_ptr<P> made(const FrameKey& key) {
   auto picture = std::make_shared<P>(key);
-  picture->advance(never);
+  picture->advance();
   return picture;
 }
 
@@ -67,14 +66,13 @@ std::shared_ptr<P> begun(const FrameKey& key) {
   auto picture = std::make_shared<P>(key);
   const glm::uvec2 coarse = (picture->size() + (Picture::steps[0] - 1)) / Picture::steps[0];
   const double share = double(coarse.x) * coarse.y / double(picture->pixel_count());
-  picture->advance([&] { return picture->share() >= share; });
+  picture->advance(Progress::until([&] { return picture->share() >= share; }));
   return picture;
 }
 
 /// Waits, but not for ever; whether it came true.
 inline bool comes_true(const std::function<bool()>& condition) {
-  using Clock = std::chrono::steady_clock;
-  for (const auto end = Clock::now() + std::chrono::seconds(20); Clock::now() < end;) {
+  for (const auto start = Clock::now(); seconds_since(start) < 20;) {
     if (condition()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

@@ -3,19 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
+#include <lightcuts/core/jobs/seconds_since.h>
 #include <viz/gl/preview/preview_shaders.h>
 #include <viz/gl/scene/random_order.h>
 
 namespace lightcuts::viz {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 std::vector<PreviewMaterial> preview_materials(const Scene& scene) {
   std::vector<PreviewMaterial> materials;
@@ -101,8 +95,8 @@ bool RasterPreview::advance(double milliseconds) {
     add_batch(count);
     glFinish();
     last_batch_ = count;
-    milliseconds_per_light_ = milliseconds_since(before) / double(count);
-    left = milliseconds - milliseconds_since(begin);
+    milliseconds_per_light_ = 1000 * seconds_since(before) / double(count);
+    left = milliseconds - 1000 * seconds_since(begin);
     if (left <= 0) break;
   }
   return done_ == order_.size();

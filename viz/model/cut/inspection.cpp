@@ -187,11 +187,11 @@ struct PlaceTruth {
   oracle::Truth truth;
 };
 
-bool evaluate(const Place& place, const std::function<bool()>& cancelled, PlaceTruth& result) {
+bool evaluate(const Place& place, const Progress& progress, PlaceTruth& result) {
   const LightSet& lights = place.scene().scene().lights;
   result.visible.resize(lights.size());
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
-    if (i % 4096 == 0 && cancelled()) return false;
+    if (i % 4096 == 0 && progress.cancelled()) return false;
     result.visible[i] = place.sees(i) ? 1 : 0;
   }
   result.truth.evaluate(place.scene().topology(), lights, place.point(), result.visible);
@@ -227,7 +227,7 @@ Inspection inspect(const InspectionKey& key) {
 }
 
 RefinementCurve refinement_curve(const InspectionKey& key, std::size_t most,
-                                 const std::function<bool()>& cancelled) {
+                                 const Progress& progress) {
   RefinementCurve curve;
   const Place place(key);
   if (!place.sees_surface() || !place.offers(oracle::Part::cuts)) return curve;
@@ -236,7 +236,7 @@ RefinementCurve refinement_curve(const InspectionKey& key, std::size_t most,
   // Evenly in logarithm: the first refinements do most.
   std::uint32_t before = 0;
   const double steps = double(std::max<std::size_t>(most, 2) - 1);
-  for (double i = 0; i <= steps && !cancelled(); ++i) {
+  for (double i = 0; i <= steps && !progress.cancelled(); ++i) {
     const auto size = std::uint32_t(std::lround(std::pow(last, i / steps)));
     if (size <= before) continue;
     before = size;
@@ -251,12 +251,11 @@ RefinementCurve refinement_curve(const InspectionKey& key, std::size_t most,
   return curve;
 }
 
-bool add_truth(const InspectionKey& key, Inspection& inspection,
-               const std::function<bool()>& cancelled) {
+bool add_truth(const InspectionKey& key, Inspection& inspection, const Progress& progress) {
   const Place place(key);
   if (!place.sees_surface()) return true;
   PlaceTruth known;
-  if (!evaluate(place, cancelled, known)) return false;
+  if (!evaluate(place, progress, known)) return false;
   for (ClusterRow& row : inspection.clusters) row.truth = as_doubles(known.truth.seen(row.node));
   inspection.truth = as_doubles(known.truth.seen(0));
   if (!place.offers(oracle::Part::bounds) || !place.offers(oracle::Part::estimates)) return true;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,13 +53,12 @@ struct RefinementCurve {
 [[nodiscard]] Inspection inspect(const InspectionKey& key);
 
 /// The sizes between 1 and the final one, at most `most` of them, and what the cut was like then.
-/// cancelled is asked now and then; what was found until then is returned.
+/// Where it is cancelled, what was found until then is returned.
 [[nodiscard]] RefinementCurve refinement_curve(const InspectionKey& key, std::size_t most,
-                                               const std::function<bool()>& cancelled);
+                                               const Progress& progress);
 
 /// Adds what is true of each cluster: looks at every light. Returns false where it was cancelled.
-bool add_truth(const InspectionKey& key, Inspection& inspection,
-               const std::function<bool()>& cancelled);
+bool add_truth(const InspectionKey& key, Inspection& inspection, const Progress& progress);
 
 /// A cluster of any node of the tree at the inspected point, in the cut or not; without truth.
 [[nodiscard]] std::optional<ClusterRow> row_of(const InspectionKey& key, std::uint32_t node);

@@ -47,10 +47,9 @@ bool Frame::sums_all_lights() const {
   return key_.method == methods::reference || (found && !found->tree);
 }
 
-void Frame::make(const std::function<bool(glm::uvec2)>& wanted,
-                 const std::function<bool()>& cancelled) {
+void Frame::make(const std::function<bool(glm::uvec2)>& wanted, const Progress& progress) {
   look_at_needs();
-  config_.cancelled = cancelled;
+  config_.progress = progress;
   render_into(rendering_, view_, *key_.scene->tree(), config_, wanted);
 }
 

@@ -39,8 +39,7 @@ public:
   [[nodiscard]] bool sums_all_lights() const;
 
 protected:
-  void make(const std::function<bool(glm::uvec2)>& wanted,
-            const std::function<bool()>& cancelled) override;
+  void make(const std::function<bool(glm::uvec2)>& wanted, const Progress& progress) override;
 
 private:
   void look_at_needs();

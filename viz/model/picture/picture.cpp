@@ -7,18 +7,19 @@ namespace lightcuts::viz {
 
 Picture::Picture(glm::uvec2 size) : size_(size), known_(pixel_count(), 0) {}
 
-void Picture::advance(const std::function<bool()>& cancelled) {
+void Picture::advance(const Progress& progress) {
+  const Progress asked = Progress::until([&progress] { return progress.cancelled(); });
   run_clock(true);
   try {
     for (const unsigned step : steps) {
-      if (cancelled()) break;
+      if (asked.cancelled()) break;
       step_ = step;
       // A pixel becomes known by the thread that asked for it, so what it reads here is settled.
       make(
           [this](glm::uvec2 p) {
             return on_grid(p) && known_[std::size_t(p.y) * size_.x + p.x] == 0;
           },
-          [&] { return cancelled(); });
+          asked);
     }
   } catch (const std::exception& error) {
     const std::lock_guard lock(mutex_);
@@ -34,10 +35,7 @@ void Picture::run_clock(bool on) {
   running_ = on ? std::optional(Clock::now()) : std::nullopt;
 }
 
-double Picture::spent() const {
-  const auto now = running_ ? Clock::now() - *running_ : Clock::duration(0);
-  return seconds_ + std::chrono::duration<double>(now).count();
-}
+double Picture::spent() const { return seconds_ + (running_ ? seconds_since(*running_) : 0); }
 
 void Picture::done(const PixelRect& rect) {
   const std::lock_guard lock(mutex_);

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <lightcuts/core/jobs/seconds_since.h>
 #include <lightcuts/render/view/renderer.h>
 
 namespace lightcuts::viz {
@@ -29,9 +29,9 @@ public:
   Picture(const Picture&) = delete;
   Picture& operator=(const Picture&) = delete;
 
-  /// Goes on until complete or cancelled; what was done stays. cancelled: asked by any thread, now
-  /// and then. Failing, it keeps the message as failure().
-  void advance(const std::function<bool()>& cancelled);
+  /// Goes on until complete or cancelled; what was done stays. Tells nothing: see share(). Failing,
+  /// it keeps the message as failure().
+  void advance(const Progress& progress = {});
 
   [[nodiscard]] glm::uvec2 size() const { return size_; }
   [[nodiscard]] std::size_t pixel_count() const { return std::size_t(size_.x) * size_.y; }
@@ -56,14 +56,11 @@ public:
 
 protected:
   /// Makes the pixels for which wanted() holds, and says done() of each row of them.
-  virtual void make(const std::function<bool(glm::uvec2)>& wanted,
-                    const std::function<bool()>& cancelled) = 0;
+  virtual void make(const std::function<bool(glm::uvec2)>& wanted, const Progress& progress) = 0;
   /// The wanted ones among them become known. By any thread.
   void done(const PixelRect& rect);
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   void run_clock(bool on);
   [[nodiscard]] double spent() const;
   [[nodiscard]] std::uint32_t nearest_known(const std::vector<char>& known, glm::uvec2 pixel) const;

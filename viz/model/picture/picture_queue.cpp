@@ -40,10 +40,10 @@ void PictureQueue::want(std::vector<std::shared_ptr<Picture>> pictures) {
   if (pictures == wanted_) return;
   wanted_ = std::move(pictures);
   // The first of them alone has to go on where it did: the job begins again where it stopped.
-  worker_.start([todo = wanted_](const std::stop_token& stop) {
+  worker_.start([todo = wanted_](const Progress& progress) {
     for (const auto& picture : todo) {
-      if (stop.stop_requested()) return;
-      if (!picture->complete()) picture->advance([&stop] { return stop.stop_requested(); });
+      if (progress.cancelled()) return;
+      if (!picture->complete()) picture->advance(progress);
     }
   });
 }

@@ -45,8 +45,7 @@ void TruthPicture::judge(glm::uvec2 pixel, State& state) {
   violations_[i] = float(tally.violations());
 }
 
-void TruthPicture::make(const std::function<bool(glm::uvec2)>& wanted,
-                        const std::function<bool()>& cancelled) {
+void TruthPicture::make(const std::function<bool(glm::uvec2)>& wanted, const Progress& progress) {
   tbb::enumerable_thread_specific<State> states([this] {
     return State{tree_for(key_.method, key_.settings, *key_.scene), {}, {}};
   });
@@ -55,7 +54,7 @@ void TruthPicture::make(const std::function<bool(glm::uvec2)>& wanted,
     for (unsigned y = rows.begin(); y < rows.end(); ++y)
       for (unsigned x = 0; x < size().x; ++x) {
         if (!wanted({x, y})) continue;
-        if (cancelled()) return;
+        if (progress.cancelled()) return;
         judge({x, y}, state);
         done({{x, y}, {x + 1, y + 1}});
       }

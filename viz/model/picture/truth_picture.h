@@ -22,8 +22,7 @@ public:
   [[nodiscard]] const std::vector<float>& violations() const { return violations_; }
 
 protected:
-  void make(const std::function<bool(glm::uvec2)>& wanted,
-            const std::function<bool()>& cancelled) override;
+  void make(const std::function<bool(glm::uvec2)>& wanted, const Progress& progress) override;
 
 private:
   struct State;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <viz/model/scene/opened_scene.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <lightcuts/core/input_error.h>
+#include <lightcuts/core/jobs/seconds_since.h>
 #include <lightcuts/render/io/open_scene.h>
 #include <lightcuts/render/lighting/light_generator.h>
 #include <lightcuts/render/view/scene_features.h>
@@ -62,20 +62,20 @@ std::vector<std::uint32_t> depths(const oracle::Topology& topology) {
 
 } // namespace
 
-OpenedScene::OpenedScene(OpenRequest request, std::stop_token stop)
-    : request_(std::move(request)), stop_(std::move(stop)) {
+OpenedScene::OpenedScene(OpenRequest request, const Progress& progress)
+    : request_(std::move(request)) {
   if (is_counterexample(request_.spec))
     open_counterexample();
   else
     scene_ = scene_for(request_);
-  leave_if_cancelled();
+  progress.leave_if_cancelled();
   view_ = std::make_unique<SceneView>(scene_);
-  leave_if_cancelled();
-  build_tree();
-  leave_if_cancelled();
+  progress.leave_if_cancelled();
+  build_tree(progress);
+  progress.leave_if_cancelled();
   if (counterexample_ && counterexample_->node) judge_counterexample();
   depth_ = depths(topology_);
-  leave_if_cancelled();
+  progress.leave_if_cancelled();
   if (counterexample_) {
     default_threshold_ = counterexample_->cut.threshold;
     black_level_ = counterexample_->cut.black_level;
@@ -84,10 +84,6 @@ OpenedScene::OpenedScene(OpenRequest request, std::stop_token stop)
     features_ = find_scene_features(*view_, *tree_, {default_threshold_, default_max_cut, 0});
     black_level_ = features_.black_level;
   }
-}
-
-void OpenedScene::leave_if_cancelled() const {
-  if (stop_.stop_requested()) throw OpeningCancelled();
 }
 
 void OpenedScene::open_counterexample() {
@@ -141,8 +137,8 @@ void OpenedScene::judge_counterexample() {
   }
 }
 
-void OpenedScene::build_tree() {
-  const auto start = std::chrono::steady_clock::now();
+void OpenedScene::build_tree(const Progress& progress) {
+  const auto start = Clock::now();
   std::uint64_t seed = request_.tree_seed;
   Builder builder = request_.builder;
   if (counterexample_) {
@@ -150,13 +146,8 @@ void OpenedScene::build_tree() {
     // One of the library's subjects has the name of its builder.
     builder = builder_named(counterexample_->saved.subject).value_or(Builder::greedy);
   }
-  const auto cancelled = [this] { return stop_.stop_requested(); };
-  try {
-    tree_ = std::make_shared<const LightTree>(build(scene_.lights, {seed, builder, cancelled}));
-  } catch (const BuildCancelled&) {
-    throw OpeningCancelled();
-  }
-  build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  tree_ = std::make_shared<const LightTree>(build(scene_.lights, {seed, builder, progress}));
+  build_seconds_ = seconds_since(start);
   oracle::TreeClaim claim;
   if (counterexample_) {
     subject_tree_ = subject_->build(scene_.lights, seed);

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -50,18 +48,12 @@ struct OpenedCounterexample {
   glm::dvec3 estimate{0}, open_truth{0}, seen_truth{0};
 };
 
-/// Thrown where opening is cancelled.
-class OpeningCancelled : public std::runtime_error {
-public:
-  OpeningCancelled() : std::runtime_error("cancelled") {}
-};
-
 /// A scene and all that is derived from it once. Does not change; may be used by many threads.
 class OpenedScene {
 public:
   /// Opens, builds and looks: seconds where lights are many. Throws InputError, with a message for
-  /// the user; and OpeningCancelled soon after `stop` says so, but for the reading of a file.
-  explicit OpenedScene(OpenRequest request, std::stop_token stop = {});
+  /// the user; and Cancelled soon after it is, but for the reading of a file.
+  explicit OpenedScene(OpenRequest request, const Progress& progress = {});
   OpenedScene(const OpenedScene&) = delete;
   OpenedScene& operator=(const OpenedScene&) = delete;
 
@@ -96,11 +88,9 @@ public:
 private:
   void open_counterexample();
   void judge_counterexample();
-  void build_tree();
-  void leave_if_cancelled() const;
+  void build_tree(const Progress& progress);
 
   OpenRequest request_;
-  std::stop_token stop_; ///< of the opening
   Scene scene_;
   std::unique_ptr<SceneView> view_;
   std::shared_ptr<const LightTree> tree_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
+#include <lightcuts/core/jobs/seconds_since.h>
 
 namespace lightcuts::viz {
 
@@ -10,8 +10,6 @@ namespace lightcuts::viz {
 /// second where nothing changes.
 class FramePacer {
 public:
-  using Clock = std::chrono::steady_clock;
-
   static constexpr double fastest =
       1.0 / 75;                       ///< seconds at least from one frame's start to the next
   static constexpr double busy = 0.1; ///< of rest, while something runs in the background

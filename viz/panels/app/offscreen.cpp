@@ -2,10 +2,10 @@
 #include <viz/panels/app/offscreen.h>
 
 #include <algorithm>
-#include <chrono>
 #include <thread>
 #include <utility>
 
+#include <lightcuts/core/jobs/seconds_since.h>
 #include <viz/gl/context/opengl.h>
 
 namespace lightcuts::viz {
@@ -26,13 +26,12 @@ void Offscreen::frame(float seconds) {
 }
 
 bool Offscreen::settle(double seconds) {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  const auto start = Clock::now();
   // What a frame asks for is seen in the next one; some things of ImGui take two. Frames by
   // software take the processor from what they wait for: a few are enough.
   int quiet = 0;
   std::chrono::milliseconds pause(2);
-  while (quiet < 4 && Clock::now() < end) {
+  while (quiet < 4 && seconds_since(start) < seconds) {
     frame();
     quiet = app_.settled() ? quiet + 1 : 0;
     // What is rasterised is made by frames themselves.

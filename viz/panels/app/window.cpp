@@ -125,7 +125,7 @@ void draw(GLFWwindow* window, Gui& gui, App& app, glm::ivec2 size) {
 /// Until the next frame is due, or something happens. While the pace is the fastest, events wait
 /// for the frame.
 void wait_for_events(FramePacer& pacer, bool busy) {
-  const auto start = FramePacer::Clock::now();
+  const auto start = Clock::now();
   const double patience = pacer.patience(busy, start);
   if (patience > FramePacer::fastest) {
     glfwWaitEventsTimeout(patience);
@@ -133,7 +133,7 @@ void wait_for_events(FramePacer& pacer, bool busy) {
     std::this_thread::sleep_for(std::chrono::duration<double>(patience));
     glfwPollEvents();
   }
-  pacer.waited(patience, std::chrono::duration<double>(FramePacer::Clock::now() - start).count());
+  pacer.waited(patience, seconds_since(start));
 }
 
 /// What is to be remembered of the window; asks nobody but the app.
@@ -159,14 +159,14 @@ void run_window(const AppSettings& settings, std::optional<float> scale,
   FramePacer pacer;
   while (glfwWindowShouldClose(window.get()) == GLFW_FALSE && !app.wants_to_quit()) {
     wait_for_events(pacer, !app.settled());
-    const auto frame_start = FramePacer::Clock::now();
+    const auto frame_start = Clock::now();
     glm::ivec2 size(0);
     glfwGetFramebufferSize(window.get(), &size.x, &size.y);
     if (size.x > 0 && size.y > 0) { // else minimised, or made to nothing
       glfwGetWindowSize(window.get(), &window_size.x, &window_size.y);
       draw(window.get(), gui, app, size);
     }
-    pacer.drawn(frame_start, FramePacer::Clock::now());
+    pacer.drawn(frame_start, Clock::now());
   }
   glfwHideWindow(window.get());
   glfwPollEvents();

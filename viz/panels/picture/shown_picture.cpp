@@ -19,7 +19,7 @@ void ShownPicture::refresh(Workbench& workbench, const Wish& wish) {
   const bool same = identity == identity_ && version_ > 0;
   if (same && source_version == source_version_) return;
   const bool complete = is_complete(sources);
-  if (same && !complete && Clock::now() - made_ < patience) return;
+  if (same && !complete && seconds_since(made_) < patience) return;
   identity_ = identity;
   source_version_ = source_version;
   values_ = layer_values(wish.layer, sources);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <optional>
 
+#include <lightcuts/core/jobs/seconds_since.h>
 #include <viz/gl/context/gl_objects.h>
 #include <viz/model/layers/colouring.h>
 #include <viz/model/workbench.h>
@@ -35,9 +35,8 @@ public:
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
 private:
-  using Clock = std::chrono::steady_clock;
-  /// While a picture grows it is shown anew at most this often.
-  static constexpr std::chrono::milliseconds patience{100};
+  /// While a picture grows it is shown anew at most this often, seconds.
+  static constexpr double patience = 0.1;
 
   /// What the texture was made from.
   struct Identity {

@@ -44,10 +44,6 @@ std::vector<Cluster> Dendrogram::clusters_of(LightKind kind) const {
   return clusters;
 }
 
-void Dendrogram::leave_if_cancelled() const {
-  if (config_.cancelled && config_.cancelled()) throw BuildCancelled();
-}
-
 Cluster Dendrogram::join(Cluster a, Cluster b) {
   constexpr std::size_t now_and_then = 1024;
   if (nodes_.size() % now_and_then == 0) leave_if_cancelled();

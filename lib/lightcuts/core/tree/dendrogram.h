@@ -22,9 +22,9 @@ public:
 
   /// The lights of one kind.
   [[nodiscard]] std::vector<Cluster> clusters_of(LightKind kind) const;
-  /// Throws BuildCancelled.
-  void leave_if_cancelled() const;
-  /// Merges two clusters that were not merged before. Throws BuildCancelled.
+  /// Throws Cancelled.
+  void leave_if_cancelled() const { config_.progress.leave_if_cancelled(); }
+  /// Merges two clusters that were not merged before. Throws Cancelled.
   Cluster join(Cluster a, Cluster b);
   /// As LightTree wants it: node 0 the root, siblings together, parents before children.
   [[nodiscard]] std::vector<TreeNode> laid_out() const;

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 
+#include <lightcuts/core/jobs/progress.h>
 #include <lightcuts/core/lights/light_set.h>
 #include <lightcuts/core/tree/light_tree.h>
 
@@ -27,14 +26,8 @@ inline constexpr Builder all_builders[] = {Builder::greedy, Builder::locally_ord
 struct BuildConfig {
   std::uint64_t seed = 1; ///< of the random choice of representatives; default 1
   Builder builder = Builder::greedy;
-  std::function<bool()> cancelled; ///< asked whether to leave it, at first and every
-                                   ///< 1024 merges at least; may be empty
-};
-
-/// Thrown by build() where it is cancelled.
-class BuildCancelled : public std::runtime_error {
-public:
-  BuildCancelled() : std::runtime_error("cancelled") {}
+  Progress progress; ///< asked whether to leave it, at first and every 1024 merges at least; told
+                     ///< nothing
 };
 
 /// Builds a tree by bottom-up clustering (Walter et al. 2005, section 3.1). Merging two clusters
@@ -55,7 +48,7 @@ public:
 /// rounds, each cluster looks for its cheapest partner among eight neighbours on a Morton curve,
 /// and those that choose each other merge. Near-linear time, whatever the lights.
 ///
-/// Throws InputError for more than 2^31 lights, and BuildCancelled.
+/// Throws InputError for more than 2^31 lights, and Cancelled.
 [[nodiscard]] LightTree build(const LightSet& lights, const BuildConfig& config = {});
 
 } // namespace lightcuts

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <cassert>
-#include <chrono>
 #include <memory>
 
 #include <tbb/blocked_range2d.h>
@@ -11,14 +10,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <lightcuts/core/jobs/seconds_since.h>
+
 namespace lightcuts {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 void store(Rendering& r, std::size_t i, const PixelResult& result, const glm::vec3& emission) {
   r.radiance[i] = result.radiance;
@@ -40,7 +35,6 @@ struct Task {
   const Wanted& wanted; ///< empty: all pixels
 
   [[nodiscard]] bool wants(glm::uvec2 pixel) const { return !wanted || wanted(pixel); }
-  [[nodiscard]] bool cancelled() const { return config.cancelled && config.cancelled(); }
 };
 
 /// What the task's method lights with; a cut's kernel may know whether anything occludes.
@@ -82,7 +76,7 @@ void render_tiles(const Task& task) {
     bool any = false;
     for (unsigned x = begin; x < end; ++x) {
       if (!task.wants({x, y})) continue;
-      if (task.cancelled()) return false;
+      if (config.progress.cancelled()) return false;
       light_pixel({x, y}, lighter);
       any = true;
     }
@@ -94,7 +88,7 @@ void render_tiles(const Task& task) {
     for (unsigned y = tile.rows().begin(); y < tile.rows().end(); ++y)
       if (!light_row(y, tile.cols().begin(), tile.cols().end(), lighter)) return;
     const auto done = pixels_done += tile.rows().size() * tile.cols().size();
-    if (config.progress) config.progress(double(done) / (double(size.x) * size.y));
+    config.progress.report(double(done) / (double(size.x) * size.y));
   };
 
   const auto start = Clock::now();

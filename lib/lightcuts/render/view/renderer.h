@@ -8,6 +8,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <lightcuts/core/jobs/progress.h>
 #include <lightcuts/core/methods/all_methods.h>
 #include <lightcuts/core/tree/light_tree.h>
 #include <lightcuts/render/view/scene_view.h>
@@ -29,9 +30,7 @@ struct RenderConfig {
   std::uint64_t seed = 1; ///< of the methods that draw lights; default 1
   /// In place of those of lightcuts, by the kernel for any scene; default: none
   std::optional<ClusterRules> rules;
-  std::function<void(double)> progress; ///< called with the share done, by any thread; may be empty
-  std::function<bool()> cancelled; ///< asked before each pixel, by any thread, whether to leave the
-                                   ///< others; may be empty
+  Progress progress; ///< asked before each pixel whether to leave the others
   /// Called when wanted pixels of a rectangle have been written, by the thread that did; nobody
   /// writes to them any more. May be empty.
   std::function<void(const PixelRect&)> done;

@@ -201,7 +201,7 @@ TEST(Inspect, FindsNothingBesideTheSurfaces) {
   const Inspection found = inspect(key);
   EXPECT_FALSE(found.sees_surface);
   EXPECT_THAT(found.clusters, IsEmpty());
-  EXPECT_THAT(refinement_curve(key, 10, never).size, IsEmpty());
+  EXPECT_THAT(refinement_curve(key, 10, {}).size, IsEmpty());
   EXPECT_FALSE(row_of(key, 0));
   EXPECT_FALSE(inspect({small_key(), {32, 3}, {}}).sees_surface) << "beside the picture";
 }
@@ -238,7 +238,7 @@ TEST(Inspect, OfACounterexampleShowsTheBoundThatIsBroken) {
   ASSERT_THAT(found.clusters, SizeIs(1));
   EXPECT_EQ(found.clusters[0].node, scene->counterexample()->node);
   EXPECT_EQ(found.clusters[0].bound, scene->counterexample()->bound);
-  ASSERT_TRUE(add_truth(key, found, never));
+  ASSERT_TRUE(add_truth(key, found, {}));
   EXPECT_EQ(found.clusters[0].truth, scene->counterexample()->seen_truth);
 }
 

@@ -21,7 +21,7 @@ TEST(AddTruth, SumsOverTheLightsThatAreSeen) {
   for (const glm::uvec2 pixel : some_pixels) {
     const InspectionKey key{small_key(), pixel, {}};
     Inspection found = inspect(key);
-    EXPECT_TRUE(add_truth(key, found, never));
+    EXPECT_TRUE(add_truth(key, found, {}));
     const SmallPoint at(pixel);
     const LightSet& lights = small_scene()->scene().lights;
     std::vector<glm::dvec3> of_light(lights.size(), glm::dvec3(0));
@@ -50,7 +50,7 @@ TEST(AddTruth, FindsTheClairvoyantCutOfTheTruthPicture) {
   for (const glm::uvec2 pixel : some_pixels) {
     const InspectionKey key{small_key(), pixel, {}};
     Inspection found = inspect(key);
-    ASSERT_TRUE(add_truth(key, found, never));
+    ASSERT_TRUE(add_truth(key, found, {}));
     EXPECT_EQ(float(found.clairvoyant.value()),
               truth->clairvoyant()[std::size_t(pixel.y) * 32 + pixel.x]);
     EXPECT_LE(*found.clairvoyant, found.final_size);
@@ -60,14 +60,14 @@ TEST(AddTruth, FindsTheClairvoyantCutOfTheTruthPicture) {
 TEST(AddTruth, ChangesNothingWhereItIsCancelled) {
   const InspectionKey key{small_key(), some_pixels[0], {}};
   Inspection found = inspect(key);
-  EXPECT_FALSE(add_truth(key, found, [] { return true; }));
+  EXPECT_FALSE(add_truth(key, found, Progress::until([] { return true; })));
   EXPECT_FALSE(found.truth);
   EXPECT_FALSE(found.clusters.front().truth);
 }
 
 TEST(RefinementCurve, IsThatOfTheStepsThemselves) {
   const InspectionKey key{small_key(), some_pixels[0], {}};
-  const RefinementCurve curve = refinement_curve(key, 12, never);
+  const RefinementCurve curve = refinement_curve(key, 12, {});
   ASSERT_THAT(curve.size, testing::AllOf(testing::Not(IsEmpty()), SizeIs(testing::Le(12))));
   EXPECT_EQ(curve.size.front(), 1);
   EXPECT_EQ(curve.size.back(), inspect(key).final_size);
@@ -88,8 +88,8 @@ TEST(RefinementCurve, IsThatOfTheStepsThemselves) {
 
 TEST(RefinementCurve, HasEverySizeWhereThereIsRoomAndNoneWhereItIsCancelled) {
   const InspectionKey key{small_key(), some_pixels[0], {}};
-  EXPECT_GT(refinement_curve(key, 10'000, never).size.size(), 8U);
-  EXPECT_THAT(refinement_curve(key, 10, [] { return true; }).size, IsEmpty());
+  EXPECT_GT(refinement_curve(key, 10'000, {}).size.size(), 8U);
+  EXPECT_THAT(refinement_curve(key, 10, Progress::until([] { return true; })).size, IsEmpty());
 }
 
 TEST(RowOf, IsTheCutsOwnRowForEveryClusterOfIt) {

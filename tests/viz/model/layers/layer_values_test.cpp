@@ -150,15 +150,15 @@ TEST(LayerValues, GrowTheirVersionWithEveryPictureThatTheyNeed) {
                       version_of(Layer::clairvoyant, sources)};
   };
   const auto fresh = versions();
-  std::const_pointer_cast<Frame>(sources.reference)->advance(never);
+  std::const_pointer_cast<Frame>(sources.reference)->advance();
   EXPECT_EQ(versions()[0], fresh[0]);
   EXPECT_GT(versions()[1], fresh[1]);
   EXPECT_EQ(versions()[2], fresh[2]);
   const auto compared = versions();
-  std::const_pointer_cast<Frame>(sources.frame)->advance(never);
+  std::const_pointer_cast<Frame>(sources.frame)->advance();
   EXPECT_GT(versions()[0], compared[0]);
   EXPECT_GT(versions()[1], compared[1]);
-  std::const_pointer_cast<TruthPicture>(sources.truth)->advance(never);
+  std::const_pointer_cast<TruthPicture>(sources.truth)->advance();
   EXPECT_GT(versions()[2], compared[2]);
 }
 

@@ -46,7 +46,7 @@ TEST(Frame, IsTheSamePictureHoweverOftenItIsCancelled) {
   Frame frame(small_key(methods::stochastic));
   for (int round = 0; !frame.complete(); ++round) {
     std::atomic<int> asked = 0;
-    frame.advance([&] { return ++asked > 90 + round; });
+    frame.advance(Progress::until([&] { return ++asked > 90 + round; }));
     ASSERT_LT(round, 1000);
   }
   expect_same(frame.rendering(), rendered(methods::stochastic, 1, frame.key().camera));
@@ -87,7 +87,7 @@ TEST(Frame, SumsAllLightsWhereTheTreeDoesNotPay) {
   Frame frame(small_key(methods::lightcuts, settings));
   EXPECT_FALSE(frame.features()) << "nothing is known before it has begun";
   EXPECT_FALSE(frame.sums_all_lights());
-  frame.advance(never);
+  frame.advance();
   const OpenedScene& scene = *small_scene();
   const SceneFeatures expected = find_scene_features(scene.view(), *scene.tree(), frame.cut());
   ASSERT_TRUE(frame.features());

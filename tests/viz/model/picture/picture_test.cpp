@@ -30,7 +30,7 @@ int pass_of(glm::uvec2 pixel) {
 /// Goes on until so many more pixels have been made.
 void advance_by(MadeUpPicture& picture, std::size_t pixels) {
   const std::size_t end = picture.order.size() + pixels;
-  picture.advance([&] { return picture.order.size() >= end; });
+  picture.advance(Progress::until([&] { return picture.order.size() >= end; }));
 }
 
 /// The nearest pixel to the upper left, itself included, that lies on the finest grid with it made.
@@ -48,7 +48,7 @@ TEST(Picture, MakesEveryPixelOnceCoarseFirst) {
        {odd_size, glm::uvec2(1, 1), glm::uvec2(16, 16), glm::uvec2(3, 50)}) {
     MadeUpPicture picture(size);
     EXPECT_FALSE(picture.complete());
-    picture.advance(never);
+    picture.advance();
     EXPECT_TRUE(picture.complete());
     EXPECT_EQ(picture.share(), 1);
     EXPECT_THAT(picture.times, Each(1));
@@ -74,7 +74,7 @@ TEST(Picture, GoesOnWhereItWasCancelled) {
 
 TEST(Picture, DoesNothingWhereItIsCancelledAtOnce) {
   MadeUpPicture picture(odd_size);
-  picture.advance([] { return true; });
+  picture.advance(Progress::until([] { return true; }));
   EXPECT_EQ(picture.calls, 0);
   EXPECT_EQ(picture.share(), 0);
   EXPECT_THAT(picture.sources(), Each(Picture::unknown));
@@ -110,7 +110,7 @@ TEST(Picture, KeepsTheMessageOfWhatFails) {
     if (picture.order.size() == 7) throw std::runtime_error("out of luck");
   };
   const std::uint64_t before = picture.version();
-  picture.advance(never);
+  picture.advance();
   EXPECT_EQ(picture.failure(), "out of luck");
   EXPECT_TRUE(picture.complete()) << "nothing more will come";
   EXPECT_DOUBLE_EQ(picture.share(), 7.0 / double(picture.pixel_count()));
@@ -120,7 +120,7 @@ TEST(Picture, KeepsTheMessageOfWhatFails) {
 TEST(Picture, MayBeLookedAtWhileItIsMade) {
   MadeUpPicture picture({64, 48});
   picture.before_pixel = [] { std::this_thread::yield(); };
-  std::thread maker([&] { picture.advance(never); });
+  std::thread maker([&] { picture.advance(); });
   double share = 0;
   std::uint64_t version = 0;
   bool complete = false;
@@ -156,7 +156,7 @@ TEST(Picture, KnowsHowLongItHasTakenWhileItIsMade) {
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   };
-  picture.advance(never);
+  picture.advance();
   EXPECT_GE(picture.seconds(), 0.064);
   EXPECT_EQ(picture.seconds_left(), 0);
 }
@@ -169,7 +169,7 @@ TEST(Picture, AddsUpTheTimesBetweenWhichItWasCancelled) {
   EXPECT_GE(half, 0.032);
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_EQ(picture.seconds(), half) << "nobody works on it";
-  picture.advance(never);
+  picture.advance();
   EXPECT_GE(picture.seconds(), half + 0.032);
 }
 

@@ -81,7 +81,7 @@ TEST(TruthPicture, IsTheSameHoweverOftenItIsCancelled) {
   TruthPicture picture(small_key());
   while (!picture.complete()) {
     std::atomic<int> asked = 0;
-    picture.advance([&] { return ++asked > 100; });
+    picture.advance(Progress::until([&] { return ++asked > 100; }));
   }
   EXPECT_EQ(picture.clairvoyant(), whole->clairvoyant());
   EXPECT_EQ(picture.violations(), whole->violations());

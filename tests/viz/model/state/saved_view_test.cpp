@@ -72,7 +72,7 @@ TEST(FilmOf, HasNoPixelInPlaceOfAnother) {
   settle(bench);
   const auto frame =
       std::const_pointer_cast<Frame>(bench.sources(methods::lightcuts, Layer::image).frame);
-  frame->advance([&] { return frame->share() >= 4.0 / (32 * 24); });
+  frame->advance(Progress::until([&] { return frame->share() >= 4.0 / (32 * 24); }));
   const Film film = film_of(bench, {});
   for (unsigned i = 0; i < 32 * 24; ++i) {
     const bool coarse = i % 32 % 16 == 0 && i / 32 % 16 == 0;

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <mutex>
 #include <string>
 
+#include <lightcuts/core/jobs/progress.h>
+#include <lightcuts/core/jobs/seconds_since.h>
+
 namespace lightcuts::cli {
 
 /// A line on stderr with the share done and the time left; nothing unless stderr is a terminal.
-class Progress {
+class ProgressLine {
 public:
-  explicit Progress(std::string task);
-  ~Progress(); ///< clears the line
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  explicit ProgressLine(std::string task);
+  ~ProgressLine(); ///< clears the line
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// share in [0, 1]; may be called from any thread.
   void update(double share);
-  /// update() as a callable; empty where there is nothing to draw on. Must not outlive this.
-  [[nodiscard]] std::function<void(double)> callback();
+  /// For a job, which is asked to end once `cancelled` says so. Must not outlive this.
+  [[nodiscard]] Progress progress(std::function<bool()> cancelled = {});
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   std::string task_;
   bool visible_;
   std::mutex mutex_;
