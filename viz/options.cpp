@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <viz/model/layers/all_layers.h>
+
 namespace lightcuts::viz {
 namespace {
 
@@ -81,7 +83,7 @@ std::vector<std::string> display_names() {
   return listed(all_displays, [](std::size_t i) { return name_of(all_displays[i]); });
 }
 std::vector<std::string> layer_names() {
-  return listed(all_layers, [](std::size_t i) { return info(all_layers[i]).name; });
+  return listed(all_layers, [](std::size_t i) { return all_layers[i]->name; });
 }
 std::vector<std::string> tab_names() {
   return listed(tabs, [](std::size_t i) { return tabs[i].first; });

@@ -164,18 +164,18 @@ FrameKey Workbench::key_of(Method method) const {
 LayerSources Workbench::sources(const DisplayMethod& display, Layer layer) {
   LayerSources sources;
   sources.frame = queue_.frame(key_of(display.method()));
-  if (needs_reference(layer)) sources.reference = queue_.frame(key_of(methods::reference));
-  if (needs_truth(layer)) sources.truth = queue_.truth(key_of(display.method()));
+  if (layer.needs_reference()) sources.reference = queue_.frame(key_of(methods::reference));
+  if (layer.needs_truth()) sources.truth = queue_.truth(key_of(display.method()));
   return sources;
 }
 
 std::vector<std::shared_ptr<Picture>> Workbench::wanted_pictures() {
   std::vector<std::shared_ptr<Picture>> wanted;
   const auto want = [&](const DisplayMethod& display) {
-    if (display.is_raster() && state.layer == Layer::image) return;
-    if (!needs_truth(state.layer)) wanted.push_back(queue_.frame(key_of(display.method())));
-    if (needs_reference(state.layer)) wanted.push_back(queue_.frame(key_of(methods::reference)));
-    if (needs_truth(state.layer)) wanted.push_back(queue_.truth(key_of(display.method())));
+    if (display.is_raster() && state.layer.is_image()) return;
+    if (!state.layer.needs_truth()) wanted.push_back(queue_.frame(key_of(display.method())));
+    if (state.layer.needs_reference()) wanted.push_back(queue_.frame(key_of(methods::reference)));
+    if (state.layer.needs_truth()) wanted.push_back(queue_.truth(key_of(display.method())));
   };
   if (wants_reference) want(methods::reference);
   want(state.display);

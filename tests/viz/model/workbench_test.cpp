@@ -11,6 +11,7 @@
 #include <tests/viz/support/counterexample_file.h>
 #include <tests/viz/support/settled_workbench.h>
 #include <tests/viz/support/small_pictures.h>
+#include <viz/model/layers/all_layers.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -35,10 +36,10 @@ TEST(Workbench, OpensTheSceneAndMakesItsPicture) {
   ASSERT_NE(bench.scene(), nullptr);
   EXPECT_EQ(bench.scene()->request(), small_request());
   EXPECT_EQ(bench.camera(), bench.scene()->scene().camera);
-  const auto frame = bench.sources(methods::lightcuts, Layer::image).frame;
+  const auto frame = bench.sources(methods::lightcuts, layers::image).frame;
   EXPECT_TRUE(frame->complete());
   EXPECT_EQ(frame->rendering().radiance, made<Frame>(small_key())->rendering().radiance);
-  EXPECT_EQ(bench.sources(methods::reference, Layer::image).frame->share(), 0) << "not asked for";
+  EXPECT_EQ(bench.sources(methods::reference, layers::image).frame->share(), 0) << "not asked for";
 }
 
 TEST(Workbench, IsBusyUntilThatIsThere) {
@@ -49,20 +50,20 @@ TEST(Workbench, IsBusyUntilThatIsThere) {
     return !bench.busy();
   }));
   ASSERT_NE(bench.scene(), nullptr);
-  EXPECT_TRUE(bench.sources(methods::lightcuts, Layer::image).frame->complete());
+  EXPECT_TRUE(bench.sources(methods::lightcuts, layers::image).frame->complete());
   EXPECT_TRUE(bench.inspection() && bench.inspection()->complete);
 }
 
 TEST(Workbench, MakesWhatTheLayerNeeds) {
   SmallWorkbench bench;
-  bench.state.layer = Layer::slack;
+  bench.state.layer = layers::slack;
   settle(bench);
-  LayerSources sources = bench.sources(methods::lightcuts, Layer::slack);
+  LayerSources sources = bench.sources(methods::lightcuts, layers::slack);
   EXPECT_TRUE(sources.frame->complete() && sources.reference->complete());
   EXPECT_EQ(sources.truth, nullptr);
-  bench.state.layer = Layer::violations;
+  bench.state.layer = layers::violations;
   settle(bench);
-  sources = bench.sources(methods::lightcuts, Layer::violations);
+  sources = bench.sources(methods::lightcuts, layers::violations);
   EXPECT_TRUE(sources.truth->complete());
   EXPECT_THAT(sources.truth->violations(), testing::Each(0));
 }
@@ -72,8 +73,8 @@ TEST(Workbench, MakesBothSidesOfASplit) {
   bench.state.split = true;
   bench.state.compared = methods::paper;
   settle(bench);
-  EXPECT_TRUE(bench.sources(methods::lightcuts, Layer::image).frame->complete());
-  EXPECT_TRUE(bench.sources(methods::paper, Layer::image).frame->complete());
+  EXPECT_TRUE(bench.sources(methods::lightcuts, layers::image).frame->complete());
+  EXPECT_TRUE(bench.sources(methods::paper, layers::image).frame->complete());
 }
 
 TEST(Workbench, MakesTheReferenceWhileItIsWantedAndNothingWhileTheCameraMoves) {
@@ -81,21 +82,21 @@ TEST(Workbench, MakesTheReferenceWhileItIsWantedAndNothingWhileTheCameraMoves) {
   bench.state.display = DisplayMethod::raster();
   bench.wants_reference = true;
   settle(bench);
-  EXPECT_TRUE(bench.sources(methods::reference, Layer::image).frame->complete());
-  EXPECT_EQ(bench.sources(methods::lightcuts, Layer::image).frame->share(), 0);
+  EXPECT_TRUE(bench.sources(methods::reference, layers::image).frame->complete());
+  EXPECT_EQ(bench.sources(methods::lightcuts, layers::image).frame->share(), 0);
   bench.state.display = methods::lightcuts;
   bench.holds_pictures = true;
   settle(bench);
-  EXPECT_EQ(bench.sources(methods::lightcuts, Layer::image).frame->share(), 0);
+  EXPECT_EQ(bench.sources(methods::lightcuts, layers::image).frame->share(), 0);
   bench.holds_pictures = false;
   settle(bench);
-  EXPECT_TRUE(bench.sources(methods::lightcuts, Layer::image).frame->complete());
+  EXPECT_TRUE(bench.sources(methods::lightcuts, layers::image).frame->complete());
 }
 
 TEST(Workbench, MakesNoOtherPictureOfWhatDoesNotMatterToAMethod) {
   SmallWorkbench bench;
   settle(bench);
-  const auto frame = [&](Method method) { return bench.sources(method, Layer::image).frame; };
+  const auto frame = [&](Method method) { return bench.sources(method, layers::image).frame; };
   const auto reference = frame(methods::reference), paper = frame(methods::paper);
   const auto cuts = frame(methods::lightcuts), drawn = frame(methods::stochastic);
   bench.state.shading.seed = 5;

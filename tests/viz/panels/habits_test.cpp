@@ -6,6 +6,7 @@
 
 #include <tests/render/support/temporary_folder.h>
 #include <tests/viz/support/gui_robot.h>
+#include <viz/model/layers/all_layers.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -20,7 +21,7 @@ void press_with_control(Robot& robot, int key) {
 TEST(GuiHabits, SavedViewIsTheSameWhenItIsOpenedAgain) {
   const TemporaryFolder folder;
   ViewState state = small_room();
-  state.layer = Layer::cut_size;
+  state.layer = layers::cut_size;
   state.colours.map = ColourMap::viridis;
   Robot robot(state, {1280, 800}, folder.path / "saved");
   robot.click(robot.on_screen({20, 30}));
@@ -35,7 +36,7 @@ TEST(GuiHabits, SavedViewIsTheSameWhenItIsOpenedAgain) {
   EXPECT_EQ(load_view_state(file(".json")), robot.state());
   EXPECT_TRUE(std::filesystem::exists(file(".png")));
   const Film film = read_exr(file(".exr"));
-  const auto frame = robot.workbench().sources(methods::lightcuts, Layer::image).frame;
+  const auto frame = robot.workbench().sources(methods::lightcuts, layers::image).frame;
   EXPECT_EQ(film.channel("cut-size")[100], frame->rendering().cut_size[100]);
   ASSERT_EQ(robot.workbench().messages().size(), 1U);
   EXPECT_FALSE(robot.workbench().messages().front().error);
@@ -79,7 +80,7 @@ TEST(GuiHabits, KeysAreLettersWhileSomebodyTypes) {
 
 TEST(GuiHabits, EndsOfTheRangeAreDragged) {
   ViewState state = small_room();
-  state.layer = Layer::cut_size;
+  state.layer = layers::cut_size;
   Robot robot(state);
   const HeatMapScale before = robot.app().image().shown().coloured().scale;
   const Legend& legend = robot.app().legend();
@@ -113,7 +114,7 @@ TEST(GuiHabits, SavedRasterPreviewIsTheImageShown) {
 
 TEST(GuiHabits, LogarithmsTakeTheWholeRangeAgain) {
   ViewState state = small_room();
-  state.layer = Layer::cut_size;
+  state.layer = layers::cut_size;
   state.colours.automatic_range = false;
   state.colours.lo = 0;
   state.colours.hi = 100;
@@ -134,7 +135,7 @@ TEST(GuiHabits, PageKeysGoThroughTheLayers) {
   EXPECT_EQ(robot.state().layer, seen.front());
   EXPECT_TRUE(std::equal(seen.begin(), seen.end(), std::begin(all_layers)));
   robot.press(GLFW_KEY_PAGE_UP);
-  EXPECT_EQ(robot.state().layer, Layer::violations);
+  EXPECT_EQ(robot.state().layer, layers::violations);
 }
 
 TEST(GuiHabits, ReportRunsAndCanBeLeft) {
@@ -177,7 +178,7 @@ TEST(GuiHabits, NaNsAndInfinitiesAreCounted) {
                     .known = {1, 1, 1, 1},
                     .own = {1, 1, 1, 1},
                     .surface = {1, 1, 1, 1}};
-  const Coloured c = coloured(Layer::slack, layer, {});
+  const Coloured c = coloured(layers::slack, layer, {});
   EXPECT_EQ(c.statistics.nan, 1U);
   EXPECT_EQ(c.statistics.infinite, 1U);
   EXPECT_EQ(c.pixels[1], infinity_colour);

@@ -5,6 +5,7 @@
 #include <lightcuts/render/io/images/film.h>
 
 #include <tests/viz/support/gui_robot.h>
+#include <viz/model/layers/all_layers.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -69,7 +70,7 @@ void show_whole_range(Robot& robot, const std::vector<float>& values) {
 }
 
 TEST(GuiScreens, HeatMapIsThatOfTheRendering) {
-  Robot robot(fixed_range(Layer::cut_size));
+  Robot robot(fixed_range(layers::cut_size));
   const Rendering right = rendered(robot, methods::lightcuts, 0.02F);
   show_whole_range(robot, right.cut_size);
   const Pixels shown = image_on_screen(robot);
@@ -77,7 +78,7 @@ TEST(GuiScreens, HeatMapIsThatOfTheRendering) {
 }
 
 TEST(GuiScreens, MetricTellsAWrongHeatMap) {
-  Robot robot(fixed_range(Layer::cut_size));
+  Robot robot(fixed_range(layers::cut_size));
   const Rendering right = rendered(robot, methods::lightcuts, 0.02F);
   show_whole_range(robot, right.cut_size);
   const Pixels shown = image_on_screen(robot);
@@ -91,7 +92,7 @@ TEST(GuiScreens, MetricTellsAWrongHeatMap) {
 }
 
 TEST(GuiScreens, ImageIsThatOfTheRendering) {
-  Robot robot(fixed_range(Layer::image));
+  Robot robot(fixed_range(layers::image));
   robot.state().colours.exposure = 2;
   const auto expected = [&](Method method) {
     const Rendering r = rendered(robot, method, 0.02F);
@@ -125,9 +126,9 @@ TEST(GuiScreens, EveryTabAndLayerIsDrawn) {
     expect_new("tab");
   }
   for (const Layer layer : all_layers) {
-    if (layer == Layer::image) continue;
+    if (layer == layers::image) continue;
     robot.state().layer = layer;
-    expect_new(info(layer).name);
+    expect_new(layer->name);
   }
 }
 

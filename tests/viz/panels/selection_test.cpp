@@ -5,6 +5,7 @@
 #include <lightcuts/core/cut/cut_selector.h>
 
 #include <tests/viz/support/gui_robot.h>
+#include <viz/model/layers/all_layers.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -38,7 +39,7 @@ TEST(GuiSelection, ClickedPixelShowsTheCutThatTheLibraryPicks) {
     EXPECT_EQ(cut_shown(robot.workbench()), cut_by_the_library(robot.workbench(), pixel));
     EXPECT_GT(inspection.clusters.size(), 3U);
     // And the picture's pixel is that cut's.
-    const auto frame = robot.workbench().sources(methods::lightcuts, Layer::image).frame;
+    const auto frame = robot.workbench().sources(methods::lightcuts, layers::image).frame;
     EXPECT_EQ(frame->rendering().radiance[pixel.y * 64 + pixel.x], inspection.radiance);
     EXPECT_TRUE(inspection.truth);
   }

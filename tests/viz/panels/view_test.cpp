@@ -3,6 +3,7 @@
 
 #include <lightcuts/render/view/camera.h>
 #include <tests/viz/support/gui_robot.h>
+#include <viz/model/layers/all_layers.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -70,7 +71,7 @@ TEST(GuiView, SpaceShowsTheReferenceWhileHeld) {
   robot.settle();
   const auto reference = robot.app().image().shown().values().image;
   EXPECT_NE(shown, reference);
-  const auto frame = robot.workbench().sources(methods::reference, Layer::image).frame;
+  const auto frame = robot.workbench().sources(methods::reference, layers::image).frame;
   EXPECT_EQ(reference[100], frame->rendering().radiance[100] + frame->rendering().emission[100]);
   robot.hold(GLFW_KEY_SPACE, false);
   robot.settle();
@@ -83,7 +84,7 @@ TEST(GuiView, ThresholdRendersAnew) {
     robot.settle();
     return robot.app().image().shown().coloured().statistics.mean;
   };
-  robot.state().layer = Layer::cut_size;
+  robot.state().layer = layers::cut_size;
   robot.app().show(Tab::live);
   const double before = cut_sizes();
   // The slider at the top of the panel at the right: find it by its effect.
@@ -126,7 +127,7 @@ TEST(GuiView, SplitShowsTwoMethods) {
   state.split = true;
   state.compared = methods::reference;
   Robot robot(state);
-  EXPECT_TRUE(robot.workbench().sources(methods::reference, Layer::image).frame->complete());
+  EXPECT_TRUE(robot.workbench().sources(methods::reference, layers::image).frame->complete());
   const ScreenArea area = robot.app().image().area();
   const glm::dvec2 on_line(area.origin.x + 0.5 * area.size.x, area.origin.y + 100);
   robot.drag(on_line, on_line + glm::dvec2(0.25 * area.size.x, 0));
@@ -136,7 +137,7 @@ TEST(GuiView, SplitShowsTwoMethods) {
 
 TEST(GuiView, SplitHeatMapsHaveOneScale) {
   ViewState state = small_room();
-  state.layer = Layer::cut_size;
+  state.layer = layers::cut_size;
   state.split = true;
   state.compared = methods::paper;
   Robot robot(state);

@@ -88,7 +88,7 @@ Coloured coloured(Layer layer, const LayerValues& values, const ColourSettings& 
   result.size = values.size;
   result.pixels.assign(values.known.size(), pending_colour);
   result.statistics = statistics_of(values);
-  if (layer == Layer::image) {
+  if (layer.is_image()) {
     if (settings.exposure) exposure = settings.exposure;
     result.exposure = exposure ? *exposure : automatic_exposure(known_radiance(values));
     colour_image(values, result);

@@ -1,45 +1,81 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <string_view>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+#include <lightcuts/render/view/renderer.h>
 
 namespace lightcuts::viz {
 
-/// A quantity of each pixel.
-enum class Layer {
-  image,           ///< the picture
-  cut_size,        ///< clusters summed, or lights where no tree is used
-  shadow_rays,     ///< shadow rays cast
-  error,           ///< true relative error
-  certified_error, ///< relative error that is certified without knowing the truth
-  slack,           ///< certified over true error
-  time,            ///< microseconds
-  clairvoyant,     ///< size of the smallest cut whose true errors are good enough
-  violations       ///< properties that do not hold at the pixel
-};
-inline constexpr Layer all_layers[] = {Layer::image, Layer::cut_size,        Layer::shadow_rays,
-                                       Layer::error, Layer::certified_error, Layer::slack,
-                                       Layer::time,  Layer::clairvoyant,     Layer::violations};
+class TruthPicture;
 
+/// What is known of a pixel that sees a surface, for a layer to make its value of.
+struct LayerPixel {
+  const Rendering& picture;
+  const Rendering* reference; ///< of layers that need it, else maybe null
+  const TruthPicture* truth;  ///< likewise
+  float black_level;          ///< of the picture's cuts, radiance
+  std::size_t i;              ///< the pixel, row by row from the top left
+};
+
+[[nodiscard]] inline double sum_of_channels(const glm::vec3& v) { return double(v.x) + v.y + v.z; }
+
+/// An error summed over RGB relative to the radiance, or to the black level where that is darker.
+[[nodiscard]] inline float relative_error(const LayerPixel& p, double error,
+                                          const glm::vec3& radiance) {
+  const double of = std::max(sum_of_channels(radiance), 3 * double(p.black_level));
+  return error == 0 ? 0 : float(error / of);
+}
+
+/// Beside the frame, what a layer is made from.
+enum class LayerNeeds : std::uint8_t {
+  frame,     ///< nothing
+  reference, ///< a frame of the reference
+  truth      ///< the true contribution of every cluster at every pixel
+};
+
+/// Of a struct that has one: there are no copies of it, its address is its identity.
+struct Pinned {
+  constexpr Pinned() = default;
+  Pinned(const Pinned&) = delete;
+  Pinned& operator=(const Pinned&) = delete;
+};
+
+/// A quantity of each pixel, all that is said of it anywhere. Each has a file in kinds/, and is
+/// entered in all_layers.h.
 struct LayerInfo {
-  const char* name;    ///< of the command line
-  const char* title;   ///< for people
-  const char* unit;    ///< "" where it is a mere number
-  const char* meaning; ///< what it says and its formula, one or two sentences
-  bool whole_numbers;  ///< counts
+  const char* name;           ///< of the command line and of files
+  const char* title;          ///< for people
+  const char* unit;           ///< "" where it is a mere number
+  const char* meaning;        ///< what it says and its formula, one or two sentences
+  bool whole_numbers = false; ///< counts
+  const char* none =
+      nullptr; ///< in place of mean and largest value where all are 0; default: these
+  LayerNeeds needs = LayerNeeds::frame;
+  /// One of the two: a heat map's value, or a colour, radiance, that is shown by exposure.
+  float (*value)(const LayerPixel&) = nullptr;
+  glm::vec3 (*colour)(const LayerPixel&) = nullptr;
+  Pinned pinned = {};
 };
 
-[[nodiscard]] const LayerInfo& info(Layer layer);
-[[nodiscard]] std::optional<Layer> layer_named(std::string_view name);
+/// One of all_layers, by its description.
+class Layer {
+public:
+  constexpr Layer(const LayerInfo& info) : info_(&info) {} // NOLINT: is one
+  constexpr const LayerInfo* operator->() const { return info_; }
+  friend constexpr bool operator==(const Layer& a, const Layer& b) { return a.info_ == b.info_; }
 
-/// Whether the layer compares with the reference.
-[[nodiscard]] constexpr bool needs_reference(Layer layer) {
-  return layer == Layer::error || layer == Layer::slack;
-}
-/// Whether the layer needs the true contribution of every cluster at every pixel.
-[[nodiscard]] constexpr bool needs_truth(Layer layer) {
-  return layer == Layer::clairvoyant || layer == Layer::violations;
-}
+  [[nodiscard]] constexpr bool is_image() const { return info_->colour != nullptr; }
+  [[nodiscard]] constexpr bool needs_reference() const {
+    return info_->needs == LayerNeeds::reference;
+  }
+  [[nodiscard]] constexpr bool needs_truth() const { return info_->needs == LayerNeeds::truth; }
+
+private:
+  const LayerInfo* info_;
+};
 
 } // namespace lightcuts::viz

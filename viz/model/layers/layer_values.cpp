@@ -11,68 +11,21 @@
 namespace lightcuts::viz {
 namespace {
 
-double sum(const glm::vec3& v) { return double(v.x) + v.y + v.z; }
+LayerPixel pixel_of(const LayerSources& sources, std::size_t i) {
+  const Rendering* reference = sources.reference ? &sources.reference->rendering() : nullptr;
+  return {sources.frame->rendering(), reference, sources.truth.get(),
+          sources.frame->cut().black_level, i};
+}
 
-/// Of one pixel of the frame, index i.
-class PixelOf {
-public:
-  PixelOf(const LayerSources& sources)
-      : picture_(sources.frame->rendering()),
-        reference_(sources.reference ? &sources.reference->rendering() : nullptr),
-        truth_(sources.truth.get()), least_(3 * double(sources.frame->cut().black_level)) {}
-
-  [[nodiscard]] float value(Layer layer, std::size_t i) const {
-    switch (layer) {
-    case Layer::cut_size:
-      return picture_.cut_size[i];
-    case Layer::shadow_rays:
-      return picture_.shadow_rays[i];
-    case Layer::time:
-      return picture_.microseconds[i];
-    case Layer::error:
-      return relative(error(i), reference_->radiance[i]);
-    case Layer::certified_error:
-      return relative(sum(picture_.certified_error[i]), picture_.radiance[i]);
-    case Layer::slack: {
-      const double e = error(i);
-      return e == 0 ? 0 : float(sum(picture_.certified_error[i]) / e);
-    }
-    case Layer::clairvoyant:
-      return truth_->clairvoyant()[i];
-    case Layer::violations:
-      return truth_->violations()[i];
-    case Layer::image:
-      break;
-    }
-    return 0;
-  }
-
-private:
-  [[nodiscard]] double error(std::size_t i) const {
-    const glm::dvec3 difference =
-        glm::dvec3(picture_.radiance[i]) - glm::dvec3(reference_->radiance[i]);
-    // Both beyond the largest float: equal, as far as can be told.
-    double e = 0;
-    for (int c = 0; c < 3; ++c)
-      if (picture_.radiance[i][c] != reference_->radiance[i][c]) e += std::abs(difference[c]);
-    return e;
-  }
-  [[nodiscard]] float relative(double e, const glm::vec3& radiance) const {
-    const double of = std::max(sum(radiance), least_);
-    return e == 0 ? 0 : float(e / of);
-  }
-
-  const Rendering& picture_;
-  const Rendering* reference_;
-  const TruthPicture* truth_;
-  double least_;
-};
+bool sees_surface(Layer layer, const LayerPixel& p) {
+  return (layer.needs_truth() ? p.truth->clairvoyant() : p.picture.cut_size)[p.i] > 0;
+}
 
 /// Per pixel the pixel that stands for it in all pictures that the layer needs.
 std::vector<std::uint32_t> common_sources(Layer layer, const LayerSources& sources) {
-  if (needs_truth(layer)) return sources.truth->sources();
+  if (layer.needs_truth()) return sources.truth->sources();
   std::vector<std::uint32_t> from = sources.frame->sources();
-  if (!needs_reference(layer)) return from;
+  if (!layer.needs_reference()) return from;
   const std::vector<std::uint32_t> other = sources.reference->sources();
   // Both are known on the coarser of the two grids.
   const unsigned width = sources.frame->size().x;
@@ -89,36 +42,31 @@ std::vector<std::uint32_t> common_sources(Layer layer, const LayerSources& sourc
 } // namespace
 
 std::uint64_t version_of(Layer layer, const LayerSources& sources) {
-  if (needs_truth(layer)) return sources.truth->version();
-  return sources.frame->version() + (needs_reference(layer) ? sources.reference->version() : 0);
+  if (layer.needs_truth()) return sources.truth->version();
+  return sources.frame->version() + (layer.needs_reference() ? sources.reference->version() : 0);
 }
 
 LayerValues layer_values(Layer layer, const LayerSources& sources) {
   const std::vector<std::uint32_t> from = common_sources(layer, sources);
-  const Rendering& picture = sources.frame->rendering();
   LayerValues result;
   result.size = sources.frame->size();
   result.known.assign(from.size(), 0);
   result.own.assign(from.size(), 0);
   result.surface.assign(from.size(), 0);
-  if (layer == Layer::image)
+  if (layer.is_image())
     result.image.assign(from.size(), glm::vec3(0));
   else
     result.values.assign(from.size(), 0);
-  const PixelOf pixel(sources);
   for (std::size_t i = 0; i < from.size(); ++i) {
-    const std::uint32_t source = from[i];
-    if (source == Picture::unknown) continue;
+    if (from[i] == Picture::unknown) continue;
+    const LayerPixel pixel = pixel_of(sources, from[i]);
     result.known[i] = 1;
-    result.own[i] = source == i;
-    if (layer == Layer::image) {
-      result.image[i] = picture.radiance[source] + picture.emission[source];
-      result.surface[i] = picture.cut_size[source] > 0;
-      continue;
-    }
-    result.values[i] = pixel.value(layer, source);
-    result.surface[i] = needs_truth(layer) ? sources.truth->clairvoyant()[source] > 0
-                                           : picture.cut_size[source] > 0;
+    result.own[i] = from[i] == i;
+    result.surface[i] = sees_surface(layer, pixel);
+    if (layer.is_image())
+      result.image[i] = layer->colour(pixel);
+    else
+      result.values[i] = layer->value(pixel);
   }
   return result;
 }
@@ -126,12 +74,11 @@ LayerValues layer_values(Layer layer, const LayerSources& sources) {
 std::optional<float> layer_value(Layer layer, const LayerSources& sources, glm::uvec2 pixel) {
   const std::uint32_t own = pixel.y * sources.frame->size().x + pixel.x;
   const auto knows = [&](const Picture* picture) { return picture->source_of(pixel) == own; };
-  if (needs_truth(layer) && !knows(sources.truth.get())) return std::nullopt;
-  if (needs_reference(layer) && !knows(sources.reference.get())) return std::nullopt;
-  if (!needs_truth(layer) && !knows(sources.frame.get())) return std::nullopt;
-  const bool surface = needs_truth(layer) ? sources.truth->clairvoyant()[own] > 0
-                                          : sources.frame->rendering().cut_size[own] > 0;
-  return surface ? std::optional(PixelOf(sources).value(layer, own)) : std::nullopt;
+  if (layer.needs_truth() && !knows(sources.truth.get())) return std::nullopt;
+  if (layer.needs_reference() && !knows(sources.reference.get())) return std::nullopt;
+  if (!layer.needs_truth() && !knows(sources.frame.get())) return std::nullopt;
+  const LayerPixel at = pixel_of(sources, own);
+  return sees_surface(layer, at) ? std::optional(layer->value(at)) : std::nullopt;
 }
 
 LayerStatistics statistics_of(const LayerValues& layer) {

@@ -27,7 +27,7 @@ struct LayerSources {
 /// A layer as far as it is known, row by row from the top left.
 struct LayerValues {
   glm::uvec2 size{0};
-  std::vector<glm::vec3> image; ///< of Layer::image: radiance and emission
+  std::vector<glm::vec3> image; ///< of a layer that is one
   std::vector<float> values;    ///< of any other layer
   std::vector<char> known;      ///< per pixel, whether it, or one in its stead, is
   std::vector<char> own;        ///< per pixel, whether it is known itself
@@ -39,7 +39,7 @@ struct LayerValues {
 
 [[nodiscard]] LayerValues layer_values(Layer layer, const LayerSources& sources);
 
-/// Of one pixel, any layer but the image: its value, if it is known itself and sees a surface.
+/// Of one pixel, of a layer that is no image: its value, if it is known itself and sees a surface.
 [[nodiscard]] std::optional<float> layer_value(Layer layer, const LayerSources& sources,
                                                glm::uvec2 pixel);
 

@@ -7,6 +7,8 @@
 #include <lightcuts/render/io/output_folder.h>
 #include <lightcuts/version.h>
 
+#include <viz/model/layers/all_layers.h>
+
 namespace lightcuts::viz {
 namespace {
 
@@ -27,8 +29,8 @@ void add_values(const char* name, const LayerValues& layer, Film& film) {
 }
 
 bool is_known(Layer layer, const LayerSources& sources) {
-  if (needs_truth(layer)) return sources.truth->share() > 0;
-  return sources.frame->share() > 0 && (!needs_reference(layer) || sources.reference->share() > 0);
+  if (layer.needs_truth()) return sources.truth->share() > 0;
+  return sources.frame->share() > 0 && (!layer.needs_reference() || sources.reference->share() > 0);
 }
 
 } // namespace
@@ -45,12 +47,12 @@ Film film_of(Workbench& workbench, const LayerValues& shown) {
   }
   for (const Layer layer : all_layers) {
     const LayerSources sources = workbench.sources(display, layer);
-    if (layer == Layer::image)
+    if (layer.is_image())
       add_image(layer_values(layer, sources), film);
     else if (is_known(layer, sources))
-      add_values(info(layer).name, layer_values(layer, sources), film);
+      add_values(layer->name, layer_values(layer, sources), film);
   }
-  const LayerSources sources = workbench.sources(display, Layer::image);
+  const LayerSources sources = workbench.sources(display, layers::image);
   film.metadata = {{"scene", workbench.scene()->scene().name},
                    {"method", name_of(display)},
                    {"threshold", fmt::format("{}", sources.frame->cut().threshold)},

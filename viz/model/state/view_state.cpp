@@ -15,6 +15,8 @@
 #include <lightcuts/render/view/camera.h>
 #include <nlohmann/json.hpp>
 
+#include <viz/model/layers/all_layers.h>
+
 namespace lightcuts::viz {
 namespace {
 
@@ -250,7 +252,7 @@ std::string view_state_json(const ViewState& s) {
   if (s.open.lights > 0) json["lights"] = s.open.lights;
   json["method"] = name_of(s.display);
   json["compared"] = name_of(s.compared);
-  json["layer"] = info(s.layer).name;
+  json["layer"] = s.layer->name;
   if (s.split) json["split"] = decimal(s.split_at);
   if (s.pixel) json["pixel"] = {s.pixel->x, s.pixel->y};
   if (s.node) json["node"] = *s.node;

@@ -10,7 +10,7 @@
 #include <lightcuts/render/io/images/colour_map.h>
 #include <lightcuts/render/scene/scene.h>
 
-#include <viz/model/layers/layer.h>
+#include <viz/model/layers/kinds/image.h>
 #include <viz/model/picture/display_method.h>
 #include <viz/model/picture/image_view.h>
 #include <viz/model/scene/opened_scene.h>
@@ -34,7 +34,7 @@ struct ViewState {
   OpenRequest open;
   DisplayMethod display = methods::lightcuts;
   DisplayMethod compared = methods::reference; ///< right of the split
-  Layer layer = Layer::image;
+  Layer layer = layers::image;
   bool split = false;
   float split_at = 0.5F;             ///< share of the image's area that is left of it
   std::optional<glm::uvec2> pixel;   ///< selected

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <viz/model/layers/all_layers.h>
 #include <viz/model/layers/value_text.h>
 #include <viz/model/state/saved_view.h>
 #include <viz/panels/app/drawing.h>
@@ -52,13 +53,13 @@ void display_combo(const char* id, DisplayMethod& display) {
 
 void layer_combo(Layer& layer) {
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9);
-  if (!ImGui::BeginCombo("##layer", info(layer).title)) {
-    tooltip(info(layer).meaning);
+  if (!ImGui::BeginCombo("##layer", layer->title)) {
+    tooltip(layer->meaning);
     return;
   }
   for (const Layer l : all_layers) {
-    if (ImGui::Selectable(info(l).title, l == layer)) layer = l;
-    tooltip(info(l).meaning);
+    if (ImGui::Selectable(l->title, l == layer)) layer = l;
+    tooltip(l->meaning);
   }
   ImGui::EndCombo();
 }
@@ -144,7 +145,7 @@ void App::save() {
   if (!scene_) return;
   const std::string name =
       fmt::format("{}-{}-{}", scene_->scene().name, name_of(workbench_.state.display),
-                  info(workbench_.state.layer).name);
+                  workbench_.state.layer->name);
   std::string file;
   for (const char c : name)
     file += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '-';
@@ -199,7 +200,7 @@ void App::draw_view_menu() {
     if (ImGui::MenuItem(name_of(display), nullptr, display == s.display)) s.display = display;
   ImGui::Separator();
   for (const Layer layer : all_layers)
-    if (ImGui::MenuItem(info(layer).title, nullptr, layer == s.layer)) s.layer = layer;
+    if (ImGui::MenuItem(layer->title, nullptr, layer == s.layer)) s.layer = layer;
   ImGui::Separator();
   ImGui::MenuItem("Split", "S", &s.split);
   if (ImGui::MenuItem("Fit", "F")) s.image.fits = true;
@@ -235,7 +236,7 @@ void App::draw_toolbar() {
     ImGui::SameLine();
     display_combo("##compared", s.compared);
   }
-  if (s.layer == Layer::image) return;
+  if (s.layer.is_image()) return;
   ImGui::SameLine();
   colour_map_combo(s.colours.map);
   ImGui::SameLine();
@@ -247,7 +248,7 @@ void App::draw_toolbar() {
 }
 
 void App::draw_image_row(float height) {
-  const float width = ImGui::GetFontSize() * (workbench_.state.layer == Layer::image ? 3.4F : 9.4F);
+  const float width = ImGui::GetFontSize() * (workbench_.state.layer.is_image() ? 3.4F : 9.4F);
   constexpr auto still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   ImGui::BeginChild("image", {ImGui::GetContentRegionAvail().x - width - 6, height}, false, still);
   image_.draw(workbench_);
@@ -270,7 +271,7 @@ void App::draw_status() {
                        text.c_str());
     ImGui::SameLine();
   } else {
-    const auto frame = workbench_.sources(workbench_.state.display, Layer::image).frame;
+    const auto frame = workbench_.sources(workbench_.state.display, layers::image).frame;
     if (frame->complete() && !workbench_.state.display.is_raster()) {
       ImGui::Text("rendered in %s", duration_text(frame->seconds()).c_str());
       ImGui::SameLine();
@@ -283,10 +284,11 @@ void App::draw_status() {
       ImGui::SameLine();
     }
   }
+  const Layer layer = workbench_.state.layer;
   const bool clean = !picture && n.known > 0 && n.largest == 0;
-  if (workbench_.state.layer == Layer::violations && clean)
-    ImGui::Text("no violation at %llu pixels", static_cast<unsigned long long>(n.known));
-  else if (workbench_.state.layer != Layer::image)
+  if (layer->none != nullptr && clean)
+    ImGui::TextUnformatted(fmt::format("{} at {} pixels", layer->none, n.known).c_str());
+  else if (!layer.is_image())
     ImGui::TextUnformatted(
         fmt::format("mean {}  largest {}", short_text(n.mean), short_text(n.largest)).c_str());
   else

@@ -7,6 +7,8 @@
 
 #include <imgui.h>
 
+#include <viz/model/layers/all_layers.h>
+
 namespace lightcuts::viz {
 namespace {
 
@@ -45,11 +47,6 @@ bool pressed_named(ImGuiKey key, bool repeats = false) {
 bool typed(unsigned character) {
   const auto& queue = ImGui::GetIO().InputQueueCharacters;
   return std::find(queue.begin(), queue.end(), ImWchar(character)) != queue.end();
-}
-
-Layer next_layer(Layer layer, int direction) {
-  constexpr int count = int(std::size(all_layers));
-  return all_layers[(int(layer) + direction + count) % count];
 }
 
 void move_pixel(Workbench& workbench) {
@@ -91,8 +88,8 @@ void let_go(ViewState& s) {
 void handle_view_keys(Workbench& workbench) {
   ViewState& s = workbench.state;
   if (pressed_named(ImGuiKey_Tab)) s.display = next(s.display, ImGui::GetIO().KeyShift ? -1 : 1);
-  if (pressed_named(ImGuiKey_PageDown)) s.layer = next_layer(s.layer, 1);
-  if (pressed_named(ImGuiKey_PageUp)) s.layer = next_layer(s.layer, -1);
+  if (pressed_named(ImGuiKey_PageDown)) s.layer = next(s.layer, 1);
+  if (pressed_named(ImGuiKey_PageUp)) s.layer = next(s.layer, -1);
   if (pressed('S')) s.split = !s.split;
   if (pressed('L')) {
     s.colours.logarithmic = !s.colours.logarithmic;

@@ -69,7 +69,7 @@ void ImagePanel::refresh(Workbench& workbench) {
 void ImagePanel::refresh_one(Workbench& workbench, const DisplayMethod& display,
                              const std::optional<HeatMapScale>& scale, ShownPicture& into) {
   try {
-    if (display.is_raster() && (workbench.state.layer == Layer::image || moving_))
+    if (display.is_raster() && (workbench.state.layer.is_image() || moving_))
       refresh_raster(workbench, into);
     else
       into.refresh(workbench, {display, workbench.state.layer, exposure_, scale});
@@ -115,11 +115,11 @@ void ImagePanel::remember_exposure(Workbench& workbench) {
     exposure_final_ = false;
   }
   if (workbench.state.display.is_raster() || moving_) return; // see refresh_raster()
-  const LayerSources sources = workbench.sources(workbench.state.display, Layer::image);
+  const LayerSources sources = workbench.sources(workbench.state.display, layers::image);
   // The first pass gives a first guess, the whole picture the last one.
   const bool complete = sources.frame->complete();
   if (exposure_final_ || (exposure_ && !complete) || sources.frame->share() < 1.0 / 256) return;
-  exposure_ = coloured(Layer::image, layer_values(Layer::image, sources), {}).exposure;
+  exposure_ = coloured(layers::image, layer_values(layers::image, sources), {}).exposure;
   exposure_final_ = complete;
 }
 

@@ -39,13 +39,13 @@ std::vector<float> bars_of(const LayerValues& layer, const HeatMapScale& scale) 
 void Legend::draw(Workbench& workbench, const ShownPicture& shown) {
   const Layer layer = workbench.state.layer;
   const Coloured& coloured = shown.coloured();
-  if (layer == Layer::image) {
+  if (layer.is_image()) {
     draw_exposure(workbench, coloured);
     return;
   }
   const float line = ImGui::GetTextLineHeight();
-  ImGui::TextUnformatted(info(layer).unit[0] != 0 ? info(layer).unit : "value");
-  tooltip(info(layer).meaning);
+  ImGui::TextUnformatted(layer->unit[0] != 0 ? layer->unit : "value");
+  tooltip(layer->meaning);
   origin_ = to_dvec(ImGui::GetCursorScreenPos()) + glm::dvec2(0, 0.5 * line);
   size_ = {bar_width(), std::max(8.0, double(ImGui::GetContentRegionAvail().y) - 1.2 * line)};
   ImGui::InvisibleButton("bar", {float(bar_width() + histogram_width()), float(size_.y)});
@@ -93,7 +93,7 @@ void Legend::draw_numbers(Layer layer, const Coloured& coloured) const {
   const HeatMapScale& scale = coloured.scale;
   const float x = float(origin_.x + bar_width() + histogram_width() + 4);
   for (const double tick : nice_ticks(scale.lo, scale.hi, 7, scale.logarithmic)) {
-    if (info(layer).whole_numbers && tick != std::floor(tick)) continue;
+    if (layer->whole_numbers && tick != std::floor(tick)) continue;
     const float y = float(origin_.y + size_.y * (1 - fraction_of(float(tick), scale)));
     list->AddLine({float(origin_.x + bar_width()), y}, {float(origin_.x + bar_width()) + 4, y},
                   IM_COL32(230, 230, 235, 255));

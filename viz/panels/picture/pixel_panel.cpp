@@ -76,7 +76,7 @@ void radiance(const Inspection& i) {
 }
 
 void cut(Workbench& workbench, const Inspection& i) {
-  if (workbench.sources(workbench.state.display, Layer::image).frame->sums_all_lights())
+  if (workbench.sources(workbench.state.display, layers::image).frame->sums_all_lights())
     quiet("the picture sums all lights; by the tree it would be:");
   std::string line = fmt::format("cut {} of {} lights, {} shadow rays", i.clusters.size(),
                                  workbench.scene()->scene().lights.size(), i.shadow_rays);

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <viz/model/layers/kinds/certified_error.h>
+#include <viz/model/layers/kinds/cut_size.h>
+#include <viz/model/layers/kinds/error.h>
 #include <viz/model/layers/value_text.h>
 #include <viz/panels/app/drawing.h>
 
@@ -27,7 +30,7 @@ std::string line(const char* name, const std::optional<float>& value) {
 
 std::string pixel_text(Workbench& workbench, glm::uvec2 pixel) {
   std::string text = fmt::format("pixel {}, {}", pixel.x, pixel.y);
-  const LayerSources sources = workbench.sources(workbench.state.display, Layer::image);
+  const LayerSources sources = workbench.sources(workbench.state.display, layers::image);
   const std::uint32_t source = sources.frame->source_of(pixel);
   if (source == Picture::unknown) return text + "\nnot rendered yet";
   const Rendering& r = sources.frame->rendering();
@@ -37,9 +40,9 @@ std::string pixel_text(Workbench& workbench, glm::uvec2 pixel) {
   if (r.cut_size[source] == 0) return text + "\nsees no surface";
   text += fmt::format("\nRGB {} {} {}", short_text(rgb.r), short_text(rgb.g), short_text(rgb.b));
   text += line(sources.frame->sums_all_lights() ? "lights, all," : "clusters",
-               value_of(workbench, Layer::cut_size, pixel));
-  text += line("true error", value_of(workbench, Layer::error, pixel));
-  text += line("certified error", value_of(workbench, Layer::certified_error, pixel));
+               value_of(workbench, layers::cut_size, pixel));
+  text += line("true error", value_of(workbench, layers::error, pixel));
+  text += line("certified error", value_of(workbench, layers::certified_error, pixel));
   return text;
 }
 

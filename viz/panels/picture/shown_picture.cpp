@@ -29,7 +29,7 @@ void ShownPicture::refresh(Workbench& workbench, const Wish& wish) {
 void ShownPicture::refresh(const std::vector<glm::vec3>& image, glm::uvec2 size,
                            std::uint64_t version, const ColourSettings& colours,
                            std::optional<float> exposure) {
-  const Identity identity{{}, {}, {}, Layer::image, colours, exposure, {}};
+  const Identity identity{{}, {}, {}, layers::image, colours, exposure, {}};
   if (identity == identity_ && version_ > 0 && version == source_version_) return;
   identity_ = identity;
   source_version_ = version;

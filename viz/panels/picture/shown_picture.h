@@ -17,7 +17,7 @@ public:
   /// What is to be shown. exposure: of images where none is chosen.
   struct Wish {
     DisplayMethod display;
-    Layer layer = Layer::image;
+    Layer layer = layers::image;
     std::optional<float> exposure;
     std::optional<HeatMapScale> scale = {}; ///< of heat maps, in place of what settings say
   };
@@ -41,7 +41,7 @@ private:
   /// What the texture was made from.
   struct Identity {
     std::shared_ptr<const void> frame, reference, truth;
-    Layer layer = Layer::image;
+    Layer layer = layers::image;
     ColourSettings colours;
     std::optional<float> exposure;
     std::optional<HeatMapScale> scale;

@@ -74,7 +74,7 @@ void rules(Workbench& workbench) {
 }
 
 void whether_tree_is_used(Workbench& workbench) {
-  const auto frame = workbench.sources(methods::lightcuts, Layer::image).frame;
+  const auto frame = workbench.sources(methods::lightcuts, layers::image).frame;
   const auto features = frame->features();
   if (!features || features->tree) return;
   ImGui::PushTextWrapPos();

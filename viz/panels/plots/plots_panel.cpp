@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include <viz/model/layers/histogram.h>
+#include <viz/model/layers/kinds/cut_size.h>
 #include <viz/model/layers/value_text.h>
 #include <viz/panels/app/drawing.h>
 
@@ -99,7 +100,7 @@ void PlotsPanel::draw(Workbench& workbench) {
 }
 
 void PlotsPanel::draw_histogram(Workbench& workbench) {
-  const LayerSources sources = workbench.sources(workbench.state.display, Layer::cut_size);
+  const LayerSources sources = workbench.sources(workbench.state.display, layers::cut_size);
   ImGui::TextUnformatted(fmt::format("Lights evaluated, {}{}",
                                      workbench.state.display.method()->name, beyond_histogram_)
                              .c_str());
@@ -109,7 +110,7 @@ void PlotsPanel::draw_histogram(Workbench& workbench) {
   if (histogram_of_ == sources.frame && histogram_version_ == version) return;
   histogram_of_ = sources.frame;
   histogram_version_ = version;
-  const LayerValues layer = layer_values(Layer::cut_size, sources);
+  const LayerValues layer = layer_values(layers::cut_size, sources);
   const LayerStatistics statistics = statistics_of(layer);
   const Histogram histogram = cut_size_histogram(layer, statistics);
   histogram_ = cut_size_plot(histogram, statistics);

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <lightcuts/render/io/images/film.h>
 
+#include <viz/model/layers/all_layers.h>
+
 namespace lightcuts::viz {
 namespace {
 
@@ -42,7 +44,7 @@ TEST(Coloured, ShowsAnImageInSrgbTimesItsExposure) {
     radiance.emplace_back(float(i) / 500, float(i % 10) / 2000, std::pow(2.0F, -float(i) / 50));
   ColourSettings settings;
   settings.exposure = 0.75F;
-  const Coloured shown = coloured(Layer::image, image(radiance), settings);
+  const Coloured shown = coloured(layers::image, image(radiance), settings);
   EXPECT_EQ(shown.exposure, 0.75F);
   EXPECT_EQ(shown.size, glm::uvec2(1000, 1));
   for (std::size_t i = 0; i < radiance.size(); ++i)
@@ -54,10 +56,10 @@ TEST(Coloured, ExposesAnImageAsChosenOrAsAskedForOrByItself) {
   layer.known[3] = 0;
   const std::vector<glm::vec3> known{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}};
   ColourSettings settings;
-  EXPECT_EQ(coloured(Layer::image, layer, settings).exposure, automatic_exposure(known));
-  EXPECT_EQ(coloured(Layer::image, layer, settings, 5.0F).exposure, 5);
+  EXPECT_EQ(coloured(layers::image, layer, settings).exposure, automatic_exposure(known));
+  EXPECT_EQ(coloured(layers::image, layer, settings, 5.0F).exposure, 5);
   settings.exposure = 2;
-  EXPECT_EQ(coloured(Layer::image, layer, settings, 5.0F).exposure, 2);
+  EXPECT_EQ(coloured(layers::image, layer, settings, 5.0F).exposure, 2);
 }
 
 TEST(Coloured, ShowsValuesInTheColoursOfTheMap) {
@@ -66,7 +68,7 @@ TEST(Coloured, ShowsValuesInTheColoursOfTheMap) {
   for (const ColourMap map : all_colour_maps) {
     ColourSettings settings;
     settings.map = map;
-    const Coloured shown = coloured(Layer::cut_size, heat(values), settings);
+    const Coloured shown = coloured(layers::cut_size, heat(values), settings);
     EXPECT_EQ(shown.scale.lo, 0);
     EXPECT_EQ(shown.scale.hi, 100);
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -79,19 +81,19 @@ TEST(Coloured, ShowsValuesInTheColoursOfTheMap) {
 TEST(Coloured, ShowsLogarithmsWhereAsked) {
   ColourSettings settings;
   settings.logarithmic = true;
-  const Coloured shown = coloured(Layer::error, heat({0.01F, 0.1F, 1, 0}), settings);
+  const Coloured shown = coloured(layers::error, heat({0.01F, 0.1F, 1, 0}), settings);
   const HeatMapScale scale{0.01F, 1, true};
   expect_near(shown.pixels[1], heat_colour(0.1F, scale), 4);
   EXPECT_EQ(shown.pixels[3], shown.pixels[0]) << "0 is below the scale";
 }
 
 TEST(Coloured, HasColoursOfTheirOwnForWhatIsNoNumber) {
-  const Coloured shown = coloured(Layer::error, heat({nan, inf, -inf, 1}), {});
+  const Coloured shown = coloured(layers::error, heat({nan, inf, -inf, 1}), {});
   EXPECT_EQ(shown.pixels[0], nan_colour);
   EXPECT_EQ(shown.pixels[1], infinity_colour);
   EXPECT_EQ(shown.pixels[2], negative_infinity_colour);
   EXPECT_EQ(shown.statistics.nan, 1U);
-  const Coloured picture = coloured(Layer::image, image({{1, nan, inf}, {inf, 0, 0}}), {});
+  const Coloured picture = coloured(layers::image, image({{1, nan, inf}, {inf, 0, 0}}), {});
   EXPECT_EQ(picture.pixels[0], nan_colour);
   EXPECT_EQ(picture.pixels[1], infinity_colour);
 }
@@ -100,14 +102,14 @@ TEST(Coloured, TellsWhatIsNotKnownFromWhatSeesNothing) {
   LayerValues layer = heat({1, 2, 3});
   layer.known[0] = 0;
   layer.surface[1] = 0;
-  const Coloured shown = coloured(Layer::error, layer, {});
+  const Coloured shown = coloured(layers::error, layer, {});
   EXPECT_EQ(shown.pixels[0], pending_colour);
   EXPECT_EQ(shown.pixels[1], nothing_colour);
   EXPECT_EQ(shown.pixels[2], heat_colour(3, {0, 3, false}));
   LayerValues picture = image({{1, 1, 1}, {0, 0, 0}});
   picture.known[0] = 0;
   picture.surface[1] = 0;
-  const Coloured seen = coloured(Layer::image, picture, {});
+  const Coloured seen = coloured(layers::image, picture, {});
   EXPECT_EQ(seen.pixels[0], pending_colour);
   EXPECT_EQ(seen.pixels[1], Rgb8(0)) << "an image shows what there is";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <viz/model/layers/layer.h>
+#include <viz/model/layers/all_layers.h>
 
 #include <set>
 #include <string>
@@ -12,9 +12,9 @@ namespace {
 TEST(Layer, IsFoundByItsName) {
   std::set<std::string> names, titles;
   for (const Layer layer : all_layers) {
-    EXPECT_EQ(layer_named(info(layer).name), layer);
-    names.insert(info(layer).name);
-    titles.insert(info(layer).title);
+    EXPECT_EQ(layer_named(layer->name), layer);
+    names.insert(layer->name);
+    titles.insert(layer->title);
   }
   EXPECT_EQ(names.size(), std::size(all_layers));
   EXPECT_EQ(titles.size(), std::size(all_layers));
@@ -24,26 +24,48 @@ TEST(Layer, IsFoundByItsName) {
 
 TEST(Layer, SaysWhatItMeansInSentences) {
   for (const Layer layer : all_layers) {
-    const std::string meaning = info(layer).meaning;
-    EXPECT_GT(meaning.size(), 20U) << info(layer).name;
-    EXPECT_EQ(meaning.back(), '.') << info(layer).name;
+    const std::string meaning = layer->meaning;
+    EXPECT_GT(meaning.size(), 20U) << layer->name;
+    EXPECT_EQ(meaning.back(), '.') << layer->name;
   }
+}
+
+using Names = std::set<std::string>;
+
+/// Of the layers for which the predicate holds.
+template <class Predicate>
+Names names_where(Predicate&& holds) {
+  Names names;
+  for (const Layer layer : all_layers)
+    if (holds(layer)) names.insert(layer->name);
+  return names;
 }
 
 TEST(Layer, CountsClustersRaysAndCasesInWholeNumbers) {
-  const std::set<Layer> counts{Layer::cut_size, Layer::shadow_rays, Layer::clairvoyant,
-                               Layer::violations};
-  for (const Layer layer : all_layers)
-    EXPECT_EQ(info(layer).whole_numbers, counts.contains(layer)) << info(layer).name;
+  EXPECT_EQ(names_where([](Layer layer) { return layer->whole_numbers; }),
+            (Names{"cut-size", "shadow-rays", "clairvoyant", "violations"}));
 }
 
 TEST(Layer, NeedsTheReferenceForTrueErrorsAndTheTruthOnlyForWhatTheOracleSays) {
-  const std::set<Layer> reference{Layer::error, Layer::slack};
-  const std::set<Layer> truth{Layer::clairvoyant, Layer::violations};
-  for (const Layer layer : all_layers) {
-    EXPECT_EQ(needs_reference(layer), reference.contains(layer)) << info(layer).name;
-    EXPECT_EQ(needs_truth(layer), truth.contains(layer)) << info(layer).name;
+  EXPECT_EQ(names_where([](Layer layer) { return layer.needs_reference(); }),
+            (Names{"error", "slack"}));
+  EXPECT_EQ(names_where([](Layer layer) { return layer.needs_truth(); }),
+            (Names{"clairvoyant", "violations"}));
+}
+
+TEST(Layer, HasEitherAValueOrAColour) {
+  for (const Layer layer : all_layers)
+    EXPECT_NE(layer->value == nullptr, layer->colour == nullptr) << layer->name;
+}
+
+TEST(Layer, GoesRoundInTheOrderOfTheTable) {
+  Layer layer = layers::image;
+  for (const Layer expected : all_layers) {
+    EXPECT_EQ(layer, expected);
+    EXPECT_EQ(next(next(layer, 1), -1), layer);
+    layer = next(layer, 1);
   }
+  EXPECT_EQ(layer, Layer(layers::image));
 }
 
 } // namespace

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <tests/viz/support/small_pictures.h>
+#include <viz/model/layers/all_layers.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -35,40 +38,29 @@ double difference(const glm::vec3& a, const glm::vec3& b) {
   return std::abs(double(a.x) - b.x) + std::abs(double(a.y) - b.y) + std::abs(double(a.z) - b.z);
 }
 
-/// The formulas that info() states, written anew.
+/// The formulas that LayerInfo::meaning states, written anew.
 double expected(Layer layer, std::size_t i) {
   const Rendering& v = whole().frame->rendering();
   const Rendering& r = whole().reference->rendering();
   const double floor = 3 * double(small_scene()->black_level());
   const double e = difference(v.radiance[i], r.radiance[i]);
   const double certified = sum(v.certified_error[i]);
-  switch (layer) {
-  case Layer::cut_size:
-    return v.cut_size[i];
-  case Layer::shadow_rays:
-    return v.shadow_rays[i];
-  case Layer::time:
-    return v.microseconds[i];
-  case Layer::error:
-    return e / std::max(sum(r.radiance[i]), floor);
-  case Layer::certified_error:
-    return certified / std::max(sum(v.radiance[i]), floor);
-  case Layer::slack:
-    return e == 0 ? 0 : certified / e;
-  case Layer::clairvoyant:
-    return whole().truth->clairvoyant()[i];
-  case Layer::violations:
-    return whole().truth->violations()[i];
-  case Layer::image:
-    break;
-  }
-  return nan;
+  const std::map<std::string, double> values{
+      {"cut-size", v.cut_size[i]},
+      {"shadow-rays", v.shadow_rays[i]},
+      {"time", v.microseconds[i]},
+      {"error", e / std::max(sum(r.radiance[i]), floor)},
+      {"certified-error", certified / std::max(sum(v.radiance[i]), floor)},
+      {"slack", e == 0 ? 0 : certified / e},
+      {"clairvoyant", whole().truth->clairvoyant()[i]},
+      {"violations", whole().truth->violations()[i]}};
+  return values.at(layer->name);
 }
 
 TEST(LayerValues, AreTheirFormulasOfTheRenderings) {
   for (const Layer layer : all_layers) {
-    if (layer == Layer::image) continue;
-    SCOPED_TRACE(info(layer).name);
+    if (layer == layers::image) continue;
+    SCOPED_TRACE(layer->name);
     const LayerValues values = layer_values(layer, whole());
     ASSERT_EQ(values.values.size(), pixels);
     EXPECT_EQ(values.size, size);
@@ -80,15 +72,16 @@ TEST(LayerValues, AreTheirFormulasOfTheRenderings) {
 }
 
 TEST(LayerValues, HaveMoreThanOneValue) {
-  for (const Layer layer : {Layer::cut_size, Layer::shadow_rays, Layer::error, Layer::slack,
-                            Layer::certified_error, Layer::clairvoyant, Layer::time}) {
+  for (const Layer layer : std::initializer_list<Layer>{
+           layers::cut_size, layers::shadow_rays, layers::error, layers::slack,
+           layers::certified_error, layers::clairvoyant, layers::time}) {
     const LayerStatistics s = statistics_of(layer_values(layer, whole()));
-    EXPECT_LT(s.least, s.largest) << info(layer).name;
+    EXPECT_LT(s.least, s.largest) << layer->name;
   }
 }
 
 TEST(LayerValues, OfTheImageAreRadianceAndEmission) {
-  const LayerValues values = layer_values(Layer::image, whole());
+  const LayerValues values = layer_values(layers::image, whole());
   const Rendering& r = whole().frame->rendering();
   ASSERT_EQ(values.image.size(), pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
@@ -99,8 +92,8 @@ TEST(LayerValues, OfTheImageAreRadianceAndEmission) {
 }
 
 TEST(LayerValues, SlackIsAtLeastOneWhereThereIsAnError) {
-  const LayerValues slack = layer_values(Layer::slack, whole());
-  const LayerValues error = layer_values(Layer::error, whole());
+  const LayerValues slack = layer_values(layers::slack, whole());
+  const LayerValues error = layer_values(layers::error, whole());
   for (std::size_t i = 0; i < pixels; ++i)
     if (error.values[i] > 0) {
       EXPECT_GE(slack.values[i], 1);
@@ -110,8 +103,8 @@ TEST(LayerValues, SlackIsAtLeastOneWhereThereIsAnError) {
 TEST(LayerValues, OfTheReferenceHaveNoError) {
   LayerSources sources = whole();
   sources.frame = sources.reference;
-  EXPECT_THAT(layer_values(Layer::error, sources).values, Each(0));
-  EXPECT_THAT(layer_values(Layer::slack, sources).values, Each(0));
+  EXPECT_THAT(layer_values(layers::error, sources).values, Each(0));
+  EXPECT_THAT(layer_values(layers::slack, sources).values, Each(0));
 }
 
 TEST(LayerValues, ShowTheNearestPixelThatAllPicturesKnow) {
@@ -121,11 +114,11 @@ TEST(LayerValues, ShowTheNearestPixelThatAllPicturesKnow) {
       sources.frame = begun<Frame>(small_key());
     else
       sources.reference = begun<Frame>(small_key(methods::reference));
-    const LayerValues values = layer_values(Layer::error, sources);
+    const LayerValues values = layer_values(layers::error, sources);
     EXPECT_THAT(values.known, Each(1));
     for (std::size_t i = 0; i < pixels; ++i) {
       const std::size_t x = i % size.x / 16 * 16, y = i / size.x / 16 * 16;
-      ASSERT_FLOAT_EQ(values.values[i], float(expected(Layer::error, y * size.x + x))) << i;
+      ASSERT_FLOAT_EQ(values.values[i], float(expected(layers::error, y * size.x + x))) << i;
     }
   }
 }
@@ -133,12 +126,12 @@ TEST(LayerValues, ShowTheNearestPixelThatAllPicturesKnow) {
 TEST(LayerValues, KnowNothingBeforeThereIsAnything) {
   LayerSources sources = whole();
   sources.reference = std::make_shared<Frame>(small_key(methods::reference));
-  EXPECT_THAT(layer_values(Layer::error, sources).known, Each(0));
-  EXPECT_THAT(layer_values(Layer::cut_size, sources).known, Each(1)) << "needs none";
-  EXPECT_FALSE(layer_value(Layer::error, sources, {16, 12}));
+  EXPECT_THAT(layer_values(layers::error, sources).known, Each(0));
+  EXPECT_THAT(layer_values(layers::cut_size, sources).known, Each(1)) << "needs none";
+  EXPECT_FALSE(layer_value(layers::error, sources, {16, 12}));
   sources.truth = std::make_shared<TruthPicture>(small_key());
-  EXPECT_THAT(layer_values(Layer::violations, sources).known, Each(0));
-  EXPECT_FALSE(layer_value(Layer::violations, sources, {16, 12}));
+  EXPECT_THAT(layer_values(layers::violations, sources).known, Each(0));
+  EXPECT_FALSE(layer_value(layers::violations, sources, {16, 12}));
 }
 
 TEST(LayerValues, GrowTheirVersionWithEveryPictureThatTheyNeed) {
@@ -146,8 +139,8 @@ TEST(LayerValues, GrowTheirVersionWithEveryPictureThatTheyNeed) {
                        std::make_shared<Frame>(small_key(methods::reference)),
                        std::make_shared<TruthPicture>(small_key())};
   const auto versions = [&] {
-    return std::array{version_of(Layer::image, sources), version_of(Layer::error, sources),
-                      version_of(Layer::clairvoyant, sources)};
+    return std::array{version_of(layers::image, sources), version_of(layers::error, sources),
+                      version_of(layers::clairvoyant, sources)};
   };
   const auto fresh = versions();
   std::const_pointer_cast<Frame>(sources.reference)->advance();
@@ -167,14 +160,14 @@ TEST(LayerValue, IsThatOfThePixelItselfOnceItIsKnown) {
   const LayerSources sources{coarse, nullptr, nullptr};
   for (std::size_t i = 0; i < pixels; ++i) {
     const glm::uvec2 pixel{i % size.x, i / size.x};
-    const auto value = layer_value(Layer::cut_size, sources, pixel);
+    const auto value = layer_value(layers::cut_size, sources, pixel);
     EXPECT_EQ(value.has_value(), pixel.x % 16 == 0 && pixel.y % 16 == 0);
     if (value) {
       EXPECT_EQ(*value, whole().frame->rendering().cut_size[i]);
     }
-    const auto error = layer_value(Layer::error, whole(), pixel);
+    const auto error = layer_value(layers::error, whole(), pixel);
     ASSERT_TRUE(error);
-    EXPECT_FLOAT_EQ(*error, float(expected(Layer::error, i)));
+    EXPECT_FLOAT_EQ(*error, float(expected(layers::error, i)));
   }
 }
 
@@ -184,10 +177,10 @@ TEST(LayerValue, IsNothingWhereNoSurfaceIsSeen) {
   key.camera.target = 2.0F * key.camera.position;
   const LayerSources sources{made<Frame>(key), nullptr, made<TruthPicture>(key)};
   ASSERT_FALSE(sources.frame->view().at({0, 0}));
-  EXPECT_FALSE(layer_value(Layer::cut_size, sources, {0, 0}));
-  EXPECT_FALSE(layer_value(Layer::clairvoyant, sources, {0, 0}));
-  EXPECT_THAT(layer_values(Layer::cut_size, sources).surface, Each(0));
-  EXPECT_THAT(layer_values(Layer::clairvoyant, sources).surface, Each(0));
+  EXPECT_FALSE(layer_value(layers::cut_size, sources, {0, 0}));
+  EXPECT_FALSE(layer_value(layers::clairvoyant, sources, {0, 0}));
+  EXPECT_THAT(layer_values(layers::cut_size, sources).surface, Each(0));
+  EXPECT_THAT(layer_values(layers::clairvoyant, sources).surface, Each(0));
 }
 
 /// A layer by hand: known pixels that see a surface.

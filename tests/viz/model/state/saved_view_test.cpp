@@ -11,6 +11,7 @@
 #include <tests/render/support/refusal.h>
 #include <tests/render/support/temporary_folder.h>
 #include <tests/viz/support/settled_workbench.h>
+#include <viz/model/layers/all_layers.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -27,7 +28,7 @@ Coloured shown_by(Workbench& bench) {
 
 TEST(FilmOf, HasTheLayersThatWereMade) {
   SmallWorkbench bench;
-  bench.state.layer = Layer::error;
+  bench.state.layer = layers::error;
   settle(bench);
   const Film film = film_of(bench, {});
   EXPECT_EQ(film.size(), glm::uvec2(32, 24));
@@ -38,7 +39,7 @@ TEST(FilmOf, HasTheLayersThatWereMade) {
     ASSERT_EQ(film.channel("cut-size")[i], r.cut_size[i]);
   }
   const auto values =
-      layer_values(Layer::error, bench.sources(methods::lightcuts, Layer::error)).values;
+      layer_values(layers::error, bench.sources(methods::lightcuts, layers::error)).values;
   for (std::size_t i = 0; i < film.pixel_count(); ++i)
     ASSERT_EQ(film.channel("error")[i], values[i]);
   for (const char* name : {"R", "B", "shadow-rays", "certified-error", "slack", "time"})
@@ -71,7 +72,7 @@ TEST(FilmOf, HasNoPixelInPlaceOfAnother) {
   bench.holds_pictures = true;
   settle(bench);
   const auto frame =
-      std::const_pointer_cast<Frame>(bench.sources(methods::lightcuts, Layer::image).frame);
+      std::const_pointer_cast<Frame>(bench.sources(methods::lightcuts, layers::image).frame);
   frame->advance(Progress::until([&] { return frame->share() >= 4.0 / (32 * 24); }));
   const Film film = film_of(bench, {});
   for (unsigned i = 0; i < 32 * 24; ++i) {
@@ -84,7 +85,7 @@ TEST(FilmOf, HasNoPixelInPlaceOfAnother) {
 TEST(SaveView, WritesThePictureTheNumbersAndTheState) {
   const TemporaryFolder folder;
   SmallWorkbench bench;
-  bench.state.layer = Layer::cut_size;
+  bench.state.layer = layers::cut_size;
   bench.state.pixel = some_pixels[0];
   settle(bench);
   const auto where = folder.path / "views";

@@ -10,6 +10,8 @@
 #include <tests/render/support/refusal.h>
 #include <tests/render/support/temporary_folder.h>
 
+#include <viz/model/layers/all_layers.h>
+
 namespace lightcuts::viz {
 namespace {
 
@@ -30,7 +32,7 @@ ViewState chosen() {
             glm::uvec2(123, 45),      4321};
   s.display = methods::stochastic;
   s.compared = DisplayMethod::raster();
-  s.layer = Layer::slack;
+  s.layer = layers::slack;
   s.split = true;
   s.split_at = 0.3F;
   s.pixel = {17, 4};
@@ -66,7 +68,7 @@ TEST(ViewState, ComesBackWithEveryChoiceOfAKind) {
   }
   for (const Layer layer : all_layers) {
     state.layer = layer;
-    EXPECT_EQ(read_back(state), state) << info(layer).name;
+    EXPECT_EQ(read_back(state), state) << layer->name;
   }
   for (const ColourMap map : all_colour_maps) {
     state.colours.map = map;
