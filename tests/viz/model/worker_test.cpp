@@ -69,6 +69,17 @@ TEST(Worker, CancelsWhatRunsAndWhatWaits) {
   EXPECT_FALSE(ran);
 }
 
+TEST(Worker, KeepsTheShareThatAJobTells) {
+  Worker worker(Niceness::prompt);
+  EXPECT_EQ(worker.share(), 0);
+  worker.start([](const Progress& progress) { progress.report(0.5); });
+  ASSERT_TRUE(comes_true([&] { return !worker.busy(); }));
+  EXPECT_EQ(worker.share(), 0.5);
+  worker.start([](const Progress&) {});
+  ASSERT_TRUE(comes_true([&] { return !worker.busy(); }));
+  EXPECT_EQ(worker.share(), 0) << "of the latest";
+}
+
 TEST(Worker, IsOfUseAfterCancelling) {
   Worker worker(Niceness::prompt);
   worker.cancel();
