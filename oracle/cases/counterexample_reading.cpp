@@ -2,12 +2,10 @@
 #include <oracle/cases/counterexample_json.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <lightcuts/render/io/json/json_text.h>
 #include <lightcuts/render/io/text.h>
-#include <lightcuts/render/view/camera.h>
-#include <oracle/records/record_json.h>
+#include <oracle/records/record_file.h>
+#include <oracle/records/require_camera.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -34,14 +32,6 @@ void require_indices(const JsonElement& element, std::size_t lights) {
   }
 }
 
-void require_camera(const JsonElement& element, const Camera& camera) {
-  try {
-    (void)PinholeView(camera, glm::uvec2(1));
-  } catch (const InputError& error) {
-    element.refuse_as(error.fault(), fmt::format(": {}", error.what()));
-  }
-}
-
 void require_valid(const JsonElement& element, const Case& on) {
   for (std::size_t i = 0; i < on.lights.size(); ++i)
     require_cone(element["lights"].at(i), on.lights[i]);
@@ -53,18 +43,11 @@ void require_valid(const JsonElement& element, const Case& on) {
 } // namespace
 
 SavedCounterexample read_counterexample(const std::string& name, const std::string& text) {
-  const nlohmann::json json = parse_json(name, text);
-  const JsonElement root(name, json);
-  std::vector<std::string> keys{"schema"};
-  append_keys<SavedCounterexample>(keys);
-  root.expect_keys(keys);
-  if (const std::string schema = root["schema"].string(); schema != counterexample_schema)
-    root["schema"].refuse(InputFault::unsupported,
-                          fmt::format("is \"{}\", expected \"{}\"", schema, counterexample_schema));
   SavedCounterexample saved;
-  read_fields(root, saved);
-  if (saved.subject.empty()) root["subject"].refuse(InputFault::missing, "is empty");
-  require_valid(root["case"], saved.counterexample.on);
+  read_record_file(name, text, counterexample_schema, saved, [&saved](const JsonElement& root) {
+    if (saved.subject.empty()) root["subject"].refuse(InputFault::missing, "is empty");
+    require_valid(root["case"], saved.counterexample.on);
+  });
   return saved;
 }
 

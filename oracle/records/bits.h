@@ -8,8 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 #include <lightcuts/core/numerics/splitmix.h>
 #include <lightcuts/core/records/fields.h>
 #include <oracle/records/kinds_of_value.h>
@@ -27,10 +25,17 @@ void append_bits(std::vector<std::uint64_t>& bits, const Value& value) {
   } else if constexpr (is_vector<Value> || std::is_same_v<Value, std::string>) {
     bits.push_back(value.size());
     for (const auto& element : value) append_bits(bits, element);
-  } else if constexpr (std::is_same_v<Value, glm::vec3> || std::is_same_v<Value, glm::uvec2>) {
+  } else if constexpr (is_optional<Value>) {
+    bits.push_back(std::uint64_t(value.has_value()));
+    if (value) append_bits(bits, *value);
+  } else if constexpr (is_glm_vector<Value>) {
     for (int i = 0; i < Value::length(); ++i) append_bits(bits, value[i]);
   } else if constexpr (std::is_same_v<Value, float>) {
     bits.push_back(std::bit_cast<std::uint32_t>(value));
+  } else if constexpr (std::is_same_v<Value, double>) {
+    bits.push_back(std::bit_cast<std::uint64_t>(value));
+  } else if constexpr (NamedChoice<Value>) {
+    append_bits(bits, std::string(name_of(value)));
   } else {
     bits.push_back(static_cast<std::uint64_t>(value));
   }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace lightcuts::oracle {
 
@@ -18,7 +22,17 @@ inline constexpr bool is_variant = false;
 template <class... Ts>
 inline constexpr bool is_variant<std::variant<Ts...>> = true;
 
-/// As the source has it, without namespaces: "Phong".
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+template <class T>
+inline constexpr bool is_glm_vector = false;
+template <glm::length_t n, class T, glm::qualifier q>
+inline constexpr bool is_glm_vector<glm::vec<n, T, q>> = true;
+
+/// The name of the type in the source, without namespaces: "Phong".
 template <class T>
 [[nodiscard]] std::string type_name() {
   const std::string_view function = __PRETTY_FUNCTION__; // "... [with T = lightcuts::Phong; ...]"

@@ -2,13 +2,13 @@
 #include <oracle/records/record_json.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include <glm/geometric.hpp>
 
 #include <oracle/cases/hex_float.h>
+#include <oracle/records/same_digits.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -23,7 +23,59 @@ Integer whole_number(const JsonElement& element, const Domain& domain) {
                            domain.most < double(most) ? std::uint64_t(domain.most) : most));
 }
 
+std::string scalar_text(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+bool is_one_line(const Json& json) {
+  if (!json.is_structured() || json.empty()) return true;
+  if (json.is_object()) return false;
+  return std::none_of(json.begin(), json.end(), [](const Json& j) { return j.is_structured(); });
+}
+
+/// Indented, but for lists of plain values.
+void append(std::string& text, const Json& json, std::size_t indent) {
+  if (!json.is_structured() || json.empty()) {
+    text += scalar_text(json);
+    return;
+  }
+  const std::string space = is_one_line(json) ? " " : "\n" + std::string(indent + 2, ' ');
+  std::string before = is_one_line(json) ? "" : space;
+  text += json.is_object() ? "{" : "[";
+  for (const auto& [key, value] : json.items()) {
+    text += before;
+    if (json.is_object()) text += scalar_text(key) + ": ";
+    append(text, value, indent + 2);
+    before = "," + space;
+  }
+  if (!is_one_line(json)) text += "\n" + std::string(indent, ' ');
+  text += json.is_object() ? "}" : "]";
+}
+
+/// Refuses a number outside the domain.
+template <class Number>
+void require_within(const JsonElement& element, Number value, const Domain& domain) {
+  if (double(value) >= domain.least && double(value) <= domain.most) return;
+  element.refuse(domain.least == 0 ? fault_of(value) : InputFault::out_of_domain,
+                 domain.least == 0 && domain.most > largest
+                     ? "is negative"
+                     : fmt::format("is {}, expected {} to {}", value, domain.least, domain.most));
+}
+
+template <class Vector>
+void read_pair(const JsonElement& element, Vector& value, const Domain& domain) {
+  if (!element.is_list() || element.size() != 2)
+    element.refuse(InputFault::malformed_file, "is not a list of two numbers");
+  for (int i = 0; i < 2; ++i) read_value(element.at(std::size_t(i)), value[i], domain);
+}
+
 } // namespace
+
+std::string indented(const Json& json) {
+  std::string text;
+  append(text, json, 0);
+  return text;
+}
 
 Json exact_json(float value) { return hex_text(value); }
 
@@ -33,10 +85,7 @@ Json exact_json(const glm::vec3& value) {
 
 Json decimal_json(float value) {
   if (value == std::trunc(value) && std::abs(value) < 0x1p53F) return std::int64_t(value);
-  const std::string text = fmt::format("{}", value);
-  double result = value;
-  std::from_chars(text.data(), text.data() + text.size(), result);
-  return result;
+  return same_digits(value);
 }
 
 Json decimal_json(const glm::vec3& value) {
@@ -44,7 +93,7 @@ Json decimal_json(const glm::vec3& value) {
 }
 
 void read_value(const JsonElement& element, float& value, const Domain& domain) {
-  if (element.is_number()) {
+  if (!element.is_string()) {
     value = element.number();
   } else {
     const std::string text = element.string();
@@ -54,11 +103,12 @@ void read_value(const JsonElement& element, float& value, const Domain& domain) 
                      fmt::format("is \"{}\", expected a finite float such as \"0x1.8p+1\"", text));
     value = *read;
   }
-  if (double(value) < domain.least || double(value) > domain.most)
-    element.refuse(domain.least == 0 ? fault_of(value) : InputFault::out_of_domain,
-                   domain.least == 0 && domain.most > largest
-                       ? "is negative"
-                       : fmt::format("is {}, expected {} to {}", value, domain.least, domain.most));
+  require_within(element, value, domain);
+}
+
+void read_value(const JsonElement& element, double& value, const Domain& domain) {
+  value = element.wide_number();
+  require_within(element, value, domain);
 }
 
 void read_value(const JsonElement& element, glm::vec3& value, const Domain& domain) {
@@ -74,9 +124,11 @@ void read_value(const JsonElement& element, glm::vec3& value, const Domain& doma
 }
 
 void read_value(const JsonElement& element, glm::uvec2& value, const Domain& domain) {
-  if (!element.is_list() || element.size() != 2)
-    element.refuse(InputFault::malformed_file, "is not a width and a height");
-  for (int i = 0; i < 2; ++i) read_value(element.at(std::size_t(i)), value[i], domain);
+  read_pair(element, value, domain);
+}
+
+void read_value(const JsonElement& element, glm::dvec2& value, const Domain& domain) {
+  read_pair(element, value, domain);
 }
 
 void read_value(const JsonElement& element, std::uint32_t& value, const Domain& domain) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -18,15 +19,25 @@
 #include <oracle/records/bits.h>
 #include <oracle/records/kinds_of_value.h>
 
-/// Records as JSON. Floats are hexadecimal strings, "0x1.8p+1" for 3, exact; beside them, as
-/// KEY_decimal, are decimals for readers. A variant has the name of its alternative as "kind".
+/// Records as JSON. A variant has the name of its alternative as "kind".
 namespace lightcuts::oracle {
 
 using Json = nlohmann::ordered_json;
 
+/// Text of it, indented, but with lists of plain values on one line. Bytes that are no UTF-8 are
+/// replaced.
+[[nodiscard]] std::string indented(const Json& json);
+
+/// How floats are written; either way every bit comes back.
+enum class Floats {
+  /// Hexadecimal strings, "0x1.8p+1" for 3; beside them, as KEY_decimal, are decimals for readers.
+  hexadecimal,
+  decimal ///< numbers
+};
+
 [[nodiscard]] Json exact_json(float value);
 [[nodiscard]] Json exact_json(const glm::vec3& value);
-/// As few digits as tell it from other floats; whole numbers without a fraction.
+/// The number in as few digits as tell it from other floats; whole numbers without a fraction.
 [[nodiscard]] Json decimal_json(float value);
 [[nodiscard]] Json decimal_json(const glm::vec3& value);
 
@@ -36,28 +47,32 @@ inline constexpr bool is_of_floats =
     std::is_same_v<Value, float> || std::is_same_v<Value, glm::vec3>;
 
 template <Record R>
-void append_fields(Json& json, const R& record);
+void append_fields(Json& json, const R& record, Floats floats = Floats::hexadecimal);
 
 template <class Value>
-[[nodiscard]] Json json_of(const Value& value) {
+[[nodiscard]] Json json_of(const Value& value, Floats floats = Floats::hexadecimal) {
   Json json;
   if constexpr (Record<Value>) {
     json = Json::object();
-    append_fields(json, value);
+    append_fields(json, value, floats);
   } else if constexpr (is_variant<Value>) {
     std::visit(
-        [&json](const auto& alternative) {
+        [&](const auto& alternative) {
           json["kind"] = alternative.name;
-          append_fields(json, alternative);
+          append_fields(json, alternative, floats);
         },
         value);
   } else if constexpr (is_vector<Value>) {
     json = Json::array();
-    for (const auto& element : value) json.push_back(json_of(element));
+    for (const auto& element : value) json.push_back(json_of(element, floats));
+  } else if constexpr (is_optional<Value>) {
+    if (value) json = json_of(*value, floats);
   } else if constexpr (is_of_floats<Value>) {
-    json = exact_json(value);
-  } else if constexpr (std::is_same_v<Value, glm::uvec2>) {
+    json = floats == Floats::decimal ? decimal_json(value) : exact_json(value);
+  } else if constexpr (is_glm_vector<Value>) {
     json = {value.x, value.y};
+  } else if constexpr (NamedChoice<Value>) {
+    json = name_of(value);
   } else if constexpr (NamedEnum<Value>) {
     json = lightcuts::name_of(value);
   } else {
@@ -67,14 +82,15 @@ template <class Value>
 }
 
 template <Record R>
-void append_fields(Json& json, const R& record) {
-  const auto append = [&json]<class Value>(const std::string& name, const Value& value,
-                                           const Value& usual, const Domain& domain) {
+void append_fields(Json& json, const R& record, Floats floats) {
+  const auto append = [&]<class Value>(const std::string& name, const Value& value,
+                                       const Value& usual, const Domain& domain) {
     if (domain.optional && same_bits(value, usual)) return;
     if constexpr (Record<Value>)
-      if (domain.inlined) return append_fields(json, value);
-    json[name] = json_of(value);
-    if constexpr (is_of_floats<Value>) json[name + "_decimal"] = decimal_json(value);
+      if (domain.inlined) return append_fields(json, value, floats);
+    json[name] = json_of(value, floats);
+    if constexpr (is_of_floats<Value>)
+      if (floats == Floats::hexadecimal) json[name + "_decimal"] = decimal_json(value);
   };
   for_each_field(record, R{}, append);
 }
@@ -83,8 +99,10 @@ void append_fields(Json& json, const R& record) {
 /// hexadecimal string. Where anything is missing, unknown or out of its domain they throw JsonError
 /// that names it.
 void read_value(const JsonElement& element, float& value, const Domain& domain);
+void read_value(const JsonElement& element, double& value, const Domain& domain);
 void read_value(const JsonElement& element, glm::vec3& value, const Domain& domain);
 void read_value(const JsonElement& element, glm::uvec2& value, const Domain& domain);
+void read_value(const JsonElement& element, glm::dvec2& value, const Domain& domain);
 void read_value(const JsonElement& element, std::uint32_t& value, const Domain& domain);
 void read_value(const JsonElement& element, std::uint64_t& value, const Domain& domain);
 void read_value(const JsonElement& element, bool& value, const Domain& domain);
@@ -105,6 +123,14 @@ void read_value(const JsonElement& element, Enum& value, const Domain& /*domain*
   value = Enum(index_among(element, names_of(value)));
 }
 
+template <NamedChoice Choice>
+void read_value(const JsonElement& element, Choice& value, const Domain& /*domain*/) {
+  const auto values = values_of(std::type_identity<Choice>{});
+  std::vector<std::string> names;
+  for (const Choice& each : values) names.emplace_back(name_of(each));
+  value = values[index_among(element, names)];
+}
+
 /// The keys of a record's fields, and of decimals beside them.
 template <Record R>
 void append_keys(std::vector<std::string>& keys) {
@@ -120,6 +146,8 @@ template <Record R>
 void read_fields(const JsonElement& element, R& record);
 template <class T>
 void read_value(const JsonElement& element, std::vector<T>& list, const Domain& domain);
+template <class T>
+void read_value(const JsonElement& element, std::optional<T>& value, const Domain& domain);
 template <class... Ts>
 void read_value(const JsonElement& element, std::variant<Ts...>& value, const Domain& domain);
 
@@ -150,6 +178,11 @@ void read_value(const JsonElement& element, std::vector<T>& list, const Domain& 
   if (!element.is_list()) element.refuse(InputFault::malformed_file, "is not a list");
   list.resize(element.size());
   for (std::size_t i = 0; i < list.size(); ++i) read_value(element.at(i), list[i], domain);
+}
+
+template <class T>
+void read_value(const JsonElement& element, std::optional<T>& value, const Domain& domain) {
+  read_value(element, value.emplace(), domain);
 }
 
 template <class... Ts>

@@ -14,6 +14,7 @@
 #include <lightcuts/core/methods/paper.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <oracle/cases/random_pixels.h>
+#include <oracle/records/same_digits.h>
 #include <oracle/report/image_error.h>
 #include <oracle/subjects/library_subject.h>
 #include <oracle/truth/clairvoyant.h>
@@ -150,7 +151,7 @@ Run summary(const Row& row, const Row& reference, double build_seconds) {
   const ImageError e = compare(p, reference.picture, cut.threshold, cut.black_level);
   Run run;
   run.method = row.config.method->name;
-  run.threshold = std::stod(fmt::format("{}", cut.threshold)); // 0.02, not 0.0199999996
+  run.threshold = same_digits(cut.threshold);
   run.build_seconds = exact || !row.config.use_tree ? 0 : build_seconds;
   run.render_seconds = median(row.seconds);
   run.mean_cut_size = mean(p.cut_size, p.surface_pixels);

@@ -59,12 +59,17 @@ private:
     } else if constexpr (std::is_same_v<Value, glm::vec3>) {
       for (int i = 0; i < 3; ++i) (*this)(value[i], 0.0F, domain.unit ? Domain{} : domain);
       if (domain.unit) value = glm::vec3(glm::normalize(glm::dvec3(value)));
-    } else if constexpr (std::is_same_v<Value, glm::uvec2>) {
-      for (int i = 0; i < 2; ++i) (*this)(value[i], 0U, domain);
+    } else if constexpr (oracle::is_glm_vector<Value>) {
+      for (int i = 0; i < Value::length(); ++i) (*this)(value[i], {}, domain);
+    } else if constexpr (oracle::is_optional<Value>) {
+      (*this)(value.emplace(), {}, domain);
+    } else if constexpr (NamedChoice<Value>) {
+      const auto values = values_of(std::type_identity<Value>{});
+      value = values[dice_.bits() % values.size()];
     } else if constexpr (std::is_same_v<Value, std::string>) {
       value = "it \"says\" " + std::to_string(dice_.bits()) + "\n";
-    } else if constexpr (std::is_same_v<Value, float>) {
-      value = float(dice_.uniform(std::max(domain.least, -2.0), std::min(domain.most, 2.0)));
+    } else if constexpr (std::is_floating_point_v<Value>) {
+      value = Value(dice_.uniform(std::max(domain.least, -2.0), std::min(domain.most, 2.0)));
     } else if constexpr (std::is_integral_v<Value>) {
       value = whole<Value>(domain);
     } else {

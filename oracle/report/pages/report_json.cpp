@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/report/pages/report_json.h>
 
-#include <charconv>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <oracle/records/same_digits.h>
 #include <oracle/report/pages/run_columns.h>
 
 namespace lightcuts::oracle {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// The double that prints with the float's own few digits: 0.1, not 0.10000000149011612.
-double same_digits(float value) {
-  const std::string text = fmt::format("{}", value);
-  double result = value;
-  std::from_chars(text.data(), text.data() + text.size(), result);
-  return result;
-}
 
 Json run_json(const Run& run) {
   Json json;

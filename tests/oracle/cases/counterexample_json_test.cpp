@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
         Edit{"/case/camera/up", "[0, 0, 0]", "/case/camera: camera: up is zero"},
         Edit{"/case/camera/vertical_fov", "180", "/case/camera: camera: vertical_fov"},
         Edit{"/case/image_size", "[100000, 2]", "/case/image_size/0 is 100000"},
-        Edit{"/case/image_size", "[2]", "/case/image_size is not a width"}));
+        Edit{"/case/image_size", "[2]", "/case/image_size is not a list of two"}));
 
 TEST(CounterexampleJson, RefusesWhateverIsMissing) {
   const json whole = json::parse(counterexample_json(saved(all_features_case())));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -24,8 +25,8 @@
 ///   };
 ///
 /// Whatever reads, writes, compares or simplifies records does so for all of them by that list. A
-/// field is a number, truth value, text, GLM vector, enum with names, record, variant of records
-/// that have a `name` each, or a std::vector or std::optional of such.
+/// field is a number, truth value, text, GLM vector, enum or choice with names, record, variant of
+/// records that have a `name` each, or a std::vector or std::optional of such.
 namespace lightcuts {
 
 /// Where the values of a field lie; of a vector, each of its components.
@@ -133,6 +134,22 @@ template <NamedEnum Enum>
 [[nodiscard]] constexpr std::optional<Enum> value_named(std::string_view name) {
   for (std::size_t i = 0; i < names_of(Enum{}).size(); ++i)
     if (name == names_of(Enum{})[i]) return Enum(i);
+  return std::nullopt;
+}
+
+/// A type that is no enum, but stands for one of several things with names: name_of(value), beside
+/// it, is that of files and reports, and values_of(std::type_identity of it) an array of them all.
+template <class T>
+concept NamedChoice = !std::is_enum_v<T> && requires(const T& value) {
+  { name_of(value) } -> std::convertible_to<const char*>;
+  values_of(std::type_identity<T>{}).size();
+};
+
+/// The value of that name, if there is one.
+template <NamedChoice Choice>
+[[nodiscard]] constexpr std::optional<Choice> value_named(std::string_view name) {
+  for (const Choice& value : values_of(std::type_identity<Choice>{}))
+    if (name == name_of(value)) return value;
   return std::nullopt;
 }
 

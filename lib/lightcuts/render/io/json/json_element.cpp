@@ -64,12 +64,18 @@ bool JsonElement::boolean() const {
 float JsonElement::number(float least) const {
   if (!json_->is_number()) refuse_type("a number");
   const auto value = json_->get<double>();
-  if (!(std::abs(value) <= std::numeric_limits<float>::max()))
+  constexpr double largest = 3.4028235e38; // float's in as few digits as tell it from others
+  if (!(std::abs(value) <= largest))
     refuse(InputFault::out_of_domain, fmt::format("is {}, out of range", value));
   if (value < least)
     refuse(least >= 0 ? fault_of(value) : InputFault::out_of_domain,
            least == 0 ? "is negative" : fmt::format("is {}, expected at least {}", value, least));
   return static_cast<float>(value);
+}
+
+double JsonElement::wide_number() const {
+  if (!json_->is_number()) refuse_type("a number");
+  return json_->get<double>(); // the parser knows no others
 }
 
 std::uint64_t JsonElement::whole_number(std::uint64_t least, std::uint64_t most) const {

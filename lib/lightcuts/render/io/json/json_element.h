@@ -29,6 +29,7 @@ public:
 
   [[nodiscard]] bool is_list() const { return json_->is_array(); }
   [[nodiscard]] bool is_number() const { return json_->is_number(); }
+  [[nodiscard]] bool is_string() const { return json_->is_string(); }
   [[nodiscard]] std::size_t size() const { return json_->size(); }
   [[nodiscard]] bool has(const std::string& key) const { return json_->contains(key); }
 
@@ -44,6 +45,8 @@ public:
   [[nodiscard]] bool boolean() const;
   /// A number within float's range that is at least `least`.
   [[nodiscard]] float number(float least = std::numeric_limits<float>::lowest()) const;
+  /// A finite number.
+  [[nodiscard]] double wide_number() const;
   [[nodiscard]] std::uint64_t whole_number(std::uint64_t least, std::uint64_t most) const;
   /// The index of the text among these.
   [[nodiscard]] std::size_t one_of(std::span<const char* const> names) const;
