@@ -4,9 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <lightcuts/core/input_error.h>
+#include <lightcuts/render/io/output_folder.h>
 #include <viz/gl/context/gl_error.h>
 #include <viz/options.h>
 #include <viz/panels/app/offscreen.h>
@@ -19,8 +19,9 @@ namespace {
 enum Exit { done = 0, usage = 2, bad_input = 3, internal_error = 4 };
 
 void begin(App& app, const Options& options) {
-  app.workbench().state = state_for(options, app.settings());
-  if (const auto tab = options.chosen_tab()) app.show(*tab);
+  app.workbench().state = options.view;
+  if (!options.has_colours) app.workbench().state.colours.map = app.settings().colour_map;
+  if (options.tab) app.show(*options.tab);
 }
 
 /// Complains of what the window would have shown as a message.
@@ -32,24 +33,17 @@ void require_scene(Workbench& workbench) {
                                             : "nothing to show");
 }
 
-/// Known before the work, not after.
-void require_writable(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const bool exists = std::filesystem::exists(file);
-  if (std::filesystem::is_directory(file) || ::access((exists ? file : folder).c_str(), W_OK) != 0)
-    throw InputError(InputFault::unwritable_file, file.string() + ": cannot be written");
-}
-
 int take_screenshot(const Options& options) {
   const std::filesystem::path file = options.screenshot;
   require_writable(file);
-  Offscreen offscreen(options.window_size(), options.scale.value_or(1), {}, options.out);
+  Offscreen offscreen(options.size.value_or(glm::uvec2(1280, 800)), options.scale.value_or(1), {},
+                      options.out);
   begin(offscreen.app(), options);
   const bool complete = offscreen.settle(options.wait);
   Workbench& workbench = offscreen.app().workbench();
   require_scene(workbench);
   workbench.clear_messages();
-  if (const auto tab = options.chosen_tab()) offscreen.app().show(*tab);
+  if (options.tab) offscreen.app().show(*options.tab);
   for (int i = 0; i < 3; ++i) offscreen.frame();
   write_png(file, offscreen.size(), offscreen.screenshot());
   if (!complete)

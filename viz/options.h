@@ -14,26 +14,20 @@ namespace lightcuts::viz {
 
 /// The command line of lightcuts-viz.
 struct Options {
-  std::string scene, method, compared, layer, pixel, builder, threshold = "auto", size, image_size,
-                                                              state;
-  std::optional<std::uint32_t> node, step, max_cut;
-  std::uint32_t lights = 0;
-  bool always_tree = false, logarithmic = false;
-  std::string screenshot, tab, colour_map;
+  ViewState view;           ///< to be shown at first: --state, and over it what else was asked for
+  bool has_colours = false; ///< whether the view's colour map was asked for
+  std::optional<glm::uvec2> size; ///< of the window, pixels
+  std::optional<Tab> tab;
   std::optional<float> scale;
+  std::string screenshot, out = "out/viz";
   double wait = 1e6;
-  std::string out = "out/viz";
 
-  /// 1280 x 800 by default.
-  [[nodiscard]] glm::uvec2 window_size() const;
   /// The settings with --size, if given, for the window's.
   [[nodiscard]] AppSettings sized(AppSettings settings) const;
-  [[nodiscard]] std::optional<Tab> chosen_tab() const;
 };
 
+/// The options must outlive the command, whose parse() throws InputError where --state cannot be
+/// read.
 void add_options(CLI::App& command, Options& options);
-
-/// What is to be shown at first: --state, and over it what else was asked for. Throws InputError.
-[[nodiscard]] ViewState state_for(const Options& options, const AppSettings& settings);
 
 } // namespace lightcuts::viz

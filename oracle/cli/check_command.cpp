@@ -14,12 +14,14 @@
 #include <oracle/cli/campaign_file.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
-#include <oracle/cli/count.h>
 #include <oracle/cli/counterexample_file.h>
 #include <oracle/cli/progress_line.h>
 #include <oracle/cli/property_table.h>
 #include <oracle/cli/subjects.h>
+#include <oracle/options/count.h>
+#include <oracle/options/scene_options.h>
 #include <oracle/records/record_json.h>
+#include <oracle/records/same_digits.h>
 
 namespace lightcuts::cli {
 namespace {
@@ -73,11 +75,11 @@ std::string json_of(const CheckOptions& options, const oracle::Subject& subject,
                     const CheckResult& result, const CutConfig& cut,
                     const std::optional<CounterexampleFile>& file) {
   nlohmann::ordered_json json{{"schema", "lightcuts-oracle/check/1"},
-                              {"scene", options.scene},
+                              {"scene", options.open.spec},
                               {"subject", oracle::full_subject_name(options.subject)},
                               {"not_judged", oracle::names_without(subject.parts())},
                               {"seed", options.seed},
-                              {"threshold", std::stod(fmt::format("{}", cut.threshold))},
+                              {"threshold", oracle::same_digits(cut.threshold)},
                               {"points", result.points},
                               {"pairs", result.pairs},
                               {"rays", result.rays},
@@ -115,7 +117,7 @@ std::uint64_t fingerprint(const LightSet& lights) {
 /// What the counts depend on.
 nlohmann::ordered_json campaign_of(const CheckOptions& options, const Scene& scene,
                                    const oracle::CheckConfig& config) {
-  return {{"scene", options.scene},
+  return {{"scene", options.open.spec},
           {"subject", oracle::full_subject_name(options.subject)},
           {"seed", options.seed},
           {"lights", scene.lights.size()},
@@ -136,9 +138,9 @@ CheckResult checked(const CheckOptions& options, const SceneView& view,
     config.checkpoint = [&](const CheckResult& so_far) { campaign->save(so_far); };
     if (before.points == 0) campaign->save(before); // refused now, not after the long job
   }
-  if (!options.time.empty()) config.seconds = *parse_duration(options.time);
+  if (!options.time.empty()) config.seconds = *options::parse_duration(options.time);
   const InterruptGuard guard;
-  ProgressLine line("check " + options.scene);
+  ProgressLine line("check " + options.open.spec);
   config.progress = line.progress([] { return interrupted != 0; });
   const CheckResult result = check(view, subject, config, before);
   if (campaign) campaign->save(result);
@@ -170,10 +172,10 @@ int run(const CheckOptions& options) {
 
 void add_check_command(CLI::App& app, Action& chosen) {
   auto options = std::make_shared<CheckOptions>();
-  options->scene = "desk";
+  options->open.spec = "desk";
   CLI::App* command = app.add_subcommand("check", "Check every property on a scene.");
   add_common_options(*command, *options);
-  add_threshold_option(*command, *options);
+  options::add_threshold_option(*command, options->threshold);
   add_json_folder_option(*command, *options);
   add_cases_option(*command, *options);
   add_subject_options(*command, *options);
@@ -181,7 +183,9 @@ void add_check_command(CLI::App& app, Action& chosen) {
       ->add_option("--time", options->time,
                    "end after so long, such as 90s, 10m or 2h; default: when all cases are done")
       ->check([](const std::string& text) {
-        return parse_duration(text) ? "" : "'" + text + "' is not a time such as 90s, 10m or 2h";
+        return options::parse_duration(text)
+                   ? ""
+                   : "'" + text + "' is not a time such as 90s, 10m or 2h";
       });
   command->add_option("--resume", options->resume,
                       "file that keeps the counts: goes on from what it has; Ctrl-C saves, too");

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <glm/vec2.hpp>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <lightcuts/render/io/output_folder.h>
-#include <lightcuts/render/scene/scene.h>
+#include <lightcuts/render/io/scene_request.h>
 #include <lightcuts/render/view/scene_features.h>
+#include <lightcuts/render/view/scene_view.h>
 #include <nlohmann/json.hpp>
 #include <oracle/campaign/check.h>
 
@@ -23,62 +23,36 @@ enum Exit { all_holds = 0, violated = 1, usage = 2, bad_input = 3, internal_erro
 
 /// Options that several commands have.
 struct CommonOptions {
-  std::string scene;
+  SceneRequest open; ///< its seeds are `seed`
   std::uint64_t seed = 1;
-  std::string builder = name_of(Builder::greedy);
   unsigned threads = 0;
-  std::string threshold = "auto";
+  std::optional<float> threshold; ///< nothing: what suits the scene
   std::string cases = "1e7";
   std::uint32_t max_cut = default_max_cut;
-  std::string size;
-  std::uint32_t lights = 0;
-  std::uint32_t area_lights = 0;
-  std::string environment;
-  std::uint32_t environment_lights = 1024;
-  std::uint32_t vpls = 0;
-  std::uint32_t surfels = 0;
-  std::optional<float> min_distance;
   std::string out;
   std::string json;
 };
 
-/// Adds SCENE, --seed, --threads, --max-cut, --size, --json, and what makes lights: --lights,
-/// --area-lights, --environment, --environment-lights, --vpls, --surfels and --min-distance.
+/// Adds what add_scene_options() does, --seed, --threads, --max-cut and --json.
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_seed_option(CLI::App& command, CommonOptions& options);
 void add_json_option(CLI::App& command, CommonOptions& options);
-void add_threshold_option(CLI::App& command, CommonOptions& options);
-/// --builder: of the light tree.
-void add_builder_option(CLI::App& command, CommonOptions& options);
 void add_out_option(CLI::App& command, CommonOptions& options);
 
-/// What --seed and --builder ask for.
+/// The tree that --seed and --builder ask for.
 [[nodiscard]] BuildConfig build_config_for(const CommonOptions& options);
 
-/// --threshold, or what suits the scene (default_threshold()) for "auto".
+/// --threshold, or what suits the scene: default_threshold().
 [[nodiscard]] float threshold_for(const CommonOptions& options, const SceneView& view);
-
-/// "2%" or "0.02" as 0.02; throws CLI::ValidationError otherwise, or below 0.
-[[nodiscard]] float parse_threshold(const std::string& text);
 
 /// The names of all_methods.
 [[nodiscard]] std::vector<std::string> method_names();
 
-/// A CLI11 check: what is wrong with the text as a threshold, or nothing.
-[[nodiscard]] std::string check_threshold(const std::string& text);
-
-/// A CLI11 check: what is wrong with the text as a number for parse_count(), or nothing.
-[[nodiscard]] std::string check_count(const std::string& text);
-
-/// A CLI11 check: what is wrong with the text as a number above 0, or nothing.
-[[nodiscard]] std::string check_positive(const std::string& text);
-
 /// Throws InputError where --json cannot be written: before the long job, not after.
 void require_writable_json(const CommonOptions& options);
 
-/// Opens options.scene and applies --size and the options that make lights, in the order in which
-/// add_common_options names them: VPLs and surfels reflect all the others. Throws InputError, also
-/// where --json cannot be written; says on stderr what the reader of the scene noted.
+/// Opens the scene. Throws InputError, also where --json cannot be written; says on stderr what the
+/// reader of the scene noted.
 [[nodiscard]] Scene open_scene_for(const CommonOptions& options);
 
 /// open_scene_for(), for commands that need light: throws InputError where there is none, too.
@@ -87,7 +61,7 @@ void require_writable_json(const CommonOptions& options);
 /// Adds --cases to the commands that check; its default is what options.cases is.
 void add_cases_option(CLI::App& command, CommonOptions& options);
 
-/// What check() is to do, as the options say; no black level, no progress.
+/// The configuration of check() that the options ask for; no black level, no progress.
 [[nodiscard]] oracle::CheckConfig check_config_for(const CommonOptions& options,
                                                    const SceneView& view);
 

@@ -8,6 +8,7 @@
 #include <lightcuts/render/scene/bounds.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
+#include <oracle/options/scene_options.h>
 #include <oracle/report/measure.h>
 
 namespace lightcuts::cli {
@@ -78,8 +79,8 @@ std::string table_of(const Scene& scene, const Facts& facts) {
 std::string json_of(const CommonOptions& options, const Scene& scene, const Facts& facts) {
   const nlohmann::ordered_json json{
       {"schema", "lightcuts-oracle/info/1"},
-      {"scene", options.scene},
-      {"builder", options.builder},
+      {"scene", options.open.spec},
+      {"builder", name_of(options.open.builder)},
       {"triangles", scene.mesh.triangles.size()},
       {"surfaces", scene.surfaces.size()},
       {"lights", scene.lights.size()},
@@ -112,12 +113,12 @@ int run(const CommonOptions& options) {
 
 void add_info_command(CLI::App& app, Action& chosen) {
   auto options = std::make_shared<CommonOptions>();
-  options->scene = "desk";
+  options->open.spec = "desk";
   CLI::App* command =
       app.add_subcommand("info", "Say what is in a scene, what it needs, and what is left out.");
   add_common_options(*command, *options);
-  add_threshold_option(*command, *options);
-  add_builder_option(*command, *options);
+  options::add_threshold_option(*command, options->threshold);
+  options::add_builder_option(*command, options->open.builder);
   add_json_folder_option(*command, *options);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -13,10 +13,11 @@
 #include <oracle/cases/counterexample_json.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
-#include <oracle/cli/count.h>
 #include <oracle/cli/progress_line.h>
 #include <oracle/cli/subjects.h>
 #include <oracle/mutants/mutants.h>
+#include <oracle/options/count.h>
+#include <oracle/options/values.h>
 #include <oracle/subjects/library_subject.h>
 
 namespace lightcuts::cli {
@@ -123,7 +124,7 @@ int run(const MutantsOptions& options) {
   if (!options.out.empty()) folder.emplace(options.out);
   oracle::HuntConfig config;
   config.seed = options.seed;
-  config.cases = *parse_count(options.cases);
+  config.cases = *options::parse_count(options.cases);
   config.further = 100;
   config.seconds = options.seconds;
 
@@ -160,7 +161,7 @@ void add_mutants_command(CLI::App& app, Action& chosen) {
         return oracle::mutant_named(name) != nullptr ? "" : "no mutant is called '" + name + "'";
       });
   command->add_option("--cases", options->cases, "random cases at most, such as 20000 or 1e6")
-      ->check(check_count)
+      ->check(options::check_count)
       ->capture_default_str();
   add_seed_option(*command, *options);
   command->add_option("--out", options->out,

@@ -10,6 +10,8 @@
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
 #include <oracle/cli/progress_line.h>
+#include <oracle/options/scene_options.h>
+#include <oracle/records/same_digits.h>
 #include <oracle/report/plots/pictures.h>
 
 namespace lightcuts::cli {
@@ -43,7 +45,7 @@ int run(const RenderOptions& options) {
       config.method == methods::lightcuts ? features.tree : config.method != methods::reference;
   Rendering rendering;
   {
-    ProgressLine line("render " + options.scene);
+    ProgressLine line("render " + options.open.spec);
     config.progress = line.progress();
     rendering = render(view, tree, config);
   }
@@ -56,18 +58,17 @@ int run(const RenderOptions& options) {
     fmt::print(stderr, "{}: the camera sees no surface\n", scene.name);
   const double cut_size = mean(rendering.cut_size, rendering.surface_pixels);
   const double rays = mean(rendering.shadow_rays, rendering.surface_pixels);
-  const nlohmann::ordered_json json{
-      {"schema", "lightcuts-oracle/render/1"},
-      {"scene", options.scene},
-      {"method", options.method},
-      {"builder", options.builder},
-      {"seed", options.seed},
-      {"threshold", std::stod(fmt::format("{}", config.cut.threshold))},
-      {"seconds", rendering.seconds},
-      {"mean_cut_size", cut_size},
-      {"shadow_rays_per_pixel", rays},
-      {"light_tree", uses_tree},
-      {"folder", out.string()}};
+  const nlohmann::ordered_json json{{"schema", "lightcuts-oracle/render/1"},
+                                    {"scene", options.open.spec},
+                                    {"method", options.method},
+                                    {"builder", name_of(options.open.builder)},
+                                    {"seed", options.seed},
+                                    {"threshold", oracle::same_digits(config.cut.threshold)},
+                                    {"seconds", rendering.seconds},
+                                    {"mean_cut_size", cut_size},
+                                    {"shadow_rays_per_pixel", rays},
+                                    {"light_tree", uses_tree},
+                                    {"folder", out.string()}};
   const std::string table = fmt::format(
       "{}, {}: {:.2f} s, {:.1f} of {} lights and {:.1f} shadow rays per pixel{}\nwritten to {}\n",
       scene.name, options.method, rendering.seconds, cut_size, scene.lights.size(), rays,
@@ -81,12 +82,12 @@ int run(const RenderOptions& options) {
 
 void add_render_command(CLI::App& app, Action& chosen) {
   auto options = std::make_shared<RenderOptions>();
-  options->scene = "desk";
+  options->open.spec = "desk";
   CLI::App* command =
       app.add_subcommand("render", "Render a scene: EXR with all layers, PNG and heat maps.");
   add_common_options(*command, *options);
-  add_threshold_option(*command, *options);
-  add_builder_option(*command, *options);
+  options::add_threshold_option(*command, options->threshold);
+  options::add_builder_option(*command, options->open.builder);
   add_out_option(*command, *options);
   command->add_option("--method", options->method, "how pixels are lit")
       ->check(CLI::IsMember(method_names()))

@@ -6,6 +6,8 @@
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
 #include <oracle/cli/progress_line.h>
+#include <oracle/options/scene_options.h>
+#include <oracle/options/values.h>
 #include <oracle/report/measure.h>
 #include <oracle/report/pages/report_csv.h>
 #include <oracle/report/pages/report_html.h>
@@ -28,7 +30,7 @@ std::vector<float> thresholds_of(const ReportOptions& options, const SceneView& 
   std::vector<float> thresholds;
   for (const std::string& text : options.thresholds) {
     if (text != "auto") {
-      thresholds.push_back(parse_threshold(text));
+      thresholds.push_back(*options::parse_threshold(text));
       continue;
     }
     for (const float factor : {0.5F, 1.0F, 2.0F, 4.0F})
@@ -58,14 +60,14 @@ int run(const ReportOptions& options) {
   oracle::MeasureConfig config = config_of(options, view);
   oracle::Measurement m;
   {
-    ProgressLine line("report " + options.scene);
+    ProgressLine line("report " + options.open.spec);
     config.progress = line.progress();
     m = measure(view, config);
   }
   m.report.pictures = oracle::write_pictures(
       {m.shown, &m.reference, m.report.black_level, scene.name, options.seed, m.shown_threshold},
       folder);
-  m.report.scene = options.scene;
+  m.report.scene = options.open.spec;
   const std::string json = report_json(m.report);
   write_file_atomically(folder.stage("report.json"), json);
   write_file_atomically(folder.stage("report.csv"), report_csv(m.report));
@@ -81,11 +83,11 @@ int run(const ReportOptions& options) {
 
 void add_report_command(CLI::App& app, Action& chosen) {
   auto options = std::make_shared<ReportOptions>();
-  options->scene = "desk";
+  options->open.spec = "desk";
   CLI::App* command = app.add_subcommand(
       "report", "Measure error against run time: report.html, .json, .csv, EXR and PNG.");
   add_common_options(*command, *options);
-  add_builder_option(*command, *options);
+  options::add_builder_option(*command, options->open.builder);
   add_out_option(*command, *options);
   command->add_option("--methods", options->methods, "rows of the table, separated by commas")
       ->delimiter(',')
@@ -98,7 +100,7 @@ void add_report_command(CLI::App& app, Action& chosen) {
                    "and four times that of render --threshold auto")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(check_threshold)
+      ->check(options::check_threshold)
       ->capture_default_str();
   command->add_option("--repeats", options->repeats, "runs of each row, in turn; the median counts")
       ->check(CLI::Range(1, 99))

@@ -7,11 +7,12 @@
 #include <oracle/campaign/hunt.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
-#include <oracle/cli/count.h>
 #include <oracle/cli/counterexample_file.h>
 #include <oracle/cli/progress_line.h>
 #include <oracle/cli/property_table.h>
 #include <oracle/cli/subjects.h>
+#include <oracle/options/count.h>
+#include <oracle/options/values.h>
 
 namespace lightcuts::cli {
 namespace {
@@ -21,7 +22,7 @@ struct StressOptions : CommonOptions, SubjectOptions {};
 oracle::HuntResult hunted(const StressOptions& options, const oracle::Subject& subject) {
   oracle::HuntConfig config;
   config.seed = options.seed;
-  config.cases = *parse_count(options.cases);
+  config.cases = *options::parse_count(options.cases);
   config.waste = oracle::is_library(subject);
   ProgressLine line("stress " + options.subject);
   config.progress = line.progress();
@@ -95,7 +96,7 @@ void add_stress_command(CLI::App& app, Action& chosen) {
       "stress", "Check every property on random cases of what this field finds hard, until one "
                 "does not hold; that one is shrunk and saved.");
   command->add_option("--cases", options->cases, "random cases at most, such as 1000000 or 1e6")
-      ->check(check_count)
+      ->check(options::check_count)
       ->capture_default_str();
   add_seed_option(*command, *options);
   add_subject_options(*command, *options);

@@ -137,12 +137,6 @@ TEST(InputBuiltin, IsRefusedWhereItIsUnknown) {
   expect_refusal(oracle.run({"check", "cloud?lights=-3"}), {"lights"});
 }
 
-TEST(InputSize, IsRefusedOutsideItsDomain) {
-  const OracleProcess oracle;
-  expect_refusal(oracle.run({"check", "--size", "0x10"}), {"width is 0"});
-  expect_refusal(oracle.run({"check", "--size", "10x99999"}), {"height is 99999"});
-}
-
 TEST(InputLights, CanBeAdded) {
   const OracleProcess oracle;
   write(oracle.folder() / "dark room.obj", square);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <oracle/cli/count.h>
+#include <oracle/options/count.h>
 
 #include <gtest/gtest.h>
 
-namespace lightcuts::cli {
+namespace lightcuts::options {
 namespace {
 
 TEST(ParseCount, ReadsDigitsAndExponents) {
@@ -61,4 +61,4 @@ TEST(ParseDuration, TakesSecondsMinutesAndHours) {
 }
 
 } // namespace
-} // namespace lightcuts::cli
+} // namespace lightcuts::options

@@ -105,6 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadUsage{"SizeWithoutHeight", {"check", "--size", "10"}, "'10' is not WIDTHxHEIGHT"},
         BadUsage{"SizeNegative", {"check", "--size", "-1x5"}, "'-1x5' is not WIDTHxHEIGHT"},
         BadUsage{"SizeWithRest", {"check", "--size", "4x5x6"}, "'4x5x6' is not WIDTHxHEIGHT"},
+        BadUsage{"SizeZero", {"check", "--size", "0x10"}, "'0x10' is not WIDTHxHEIGHT"},
+        BadUsage{"SizeTooLarge", {"check", "--size", "10x16385"}, "1 to 16384 pixels"},
         BadUsage{"SizeEmpty", {"check", "--size", ""}, "'' is not WIDTHxHEIGHT"},
         BadUsage{"SeedNegative", {"check", "--seed", "-1"}, "'-1' is negative"},
         BadUsage{"ThreadsNegative", {"check", "--threads", "-1"}, "--threads"},

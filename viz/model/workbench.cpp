@@ -95,7 +95,7 @@ void Workbench::cancel_opening() {
     const std::lock_guard lock(handover_->mutex);
     handover_->scene = nullptr; // it may have come meanwhile
   }
-  state.open = scene_ ? scene_->request() : OpenRequest{.builder = state.open.builder};
+  state.open = scene_ ? scene_->request() : SceneRequest{.builder = state.open.builder};
   asked_to_open_ = state.open;
 }
 

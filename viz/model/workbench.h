@@ -40,8 +40,8 @@ struct ReportResult {
   oracle::Report report;
 };
 
-/// What the window shows, without the window: what a person has chosen, and what threads make of
-/// it. All functions are for one thread; none waits for a job.
+/// All that the window shows, without the window: a person's choices, and the pictures and numbers
+/// that threads make of them. All functions are for one thread; none waits for a job.
 class Workbench {
 public:
   Workbench();
@@ -49,7 +49,7 @@ public:
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
 
-  /// What is chosen; to be changed at will. update() acts on it.
+  /// A person's choices, to be changed at will; update() acts on them.
   ViewState state;
 
   /// To be called once per frame of the window: takes what threads have made, and starts what the
@@ -71,8 +71,8 @@ public:
   void say(std::string text, bool error = false) { messages_.push_back({std::move(text), error}); }
   void clear_messages() { messages_.clear(); }
 
-  /// What a layer of a display is made from; of the raster preview that of lightcuts. Nothing of it
-  /// is made unless the state shows it. Only with a scene.
+  /// The pictures from which a layer of a display is made; of the raster preview those of
+  /// lightcuts. Nothing of them is made unless the state shows it. Only with a scene.
   [[nodiscard]] LayerSources sources(const DisplayMethod& display, Layer layer);
   /// The camera of the picture; only with a scene.
   [[nodiscard]] const Camera& camera() const;
@@ -83,14 +83,14 @@ public:
   /// While set, as while the camera moves: nothing is rendered.
   bool holds_pictures = false;
 
-  /// Of the selected pixel; null where none is selected, and until it is there. It may be of an
-  /// earlier key.
+  /// The inspection of the selected pixel; null where none is selected, and until it is there. It
+  /// may be of an earlier key.
   [[nodiscard]] const std::shared_ptr<const InspectionResult>& inspection() const {
     return inspection_;
   }
   /// A cluster as seen from the selected pixel, in the cut or not; nothing without a pixel.
   [[nodiscard]] std::optional<ClusterRow> row(std::uint32_t node);
-  /// The selected one.
+  /// The selected cluster as seen from the selected pixel; nothing where either is missing.
   [[nodiscard]] std::optional<ClusterRow> selected_row() {
     return state.node ? row(*state.node) : std::nullopt;
   }
@@ -116,11 +116,11 @@ private:
   [[nodiscard]] std::vector<std::shared_ptr<Picture>> wanted_pictures();
 
   std::shared_ptr<const OpenedScene> scene_;
-  std::optional<OpenRequest> asked_to_open_;
+  std::optional<SceneRequest> asked_to_open_;
   std::vector<Message> messages_;
   std::string told_failure_; ///< of a picture, the last one
 
-  /// What threads hand over.
+  /// Results on their way from threads to update().
   struct Handover {
     std::mutex mutex;
     std::shared_ptr<const OpenedScene> scene;

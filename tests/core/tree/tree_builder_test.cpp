@@ -164,8 +164,9 @@ TEST(Build, OfNoLightsIsEmpty) {
 }
 
 TEST(Build, KnowsItsBuildersByName) {
-  for (const Builder builder : all_builders) EXPECT_EQ(builder_named(name_of(builder)), builder);
-  EXPECT_FALSE(builder_named("Greedy"));
+  for (const Builder builder : all_builders)
+    EXPECT_EQ(value_named<Builder>(name_of(builder)), builder);
+  EXPECT_FALSE(value_named<Builder>("Greedy"));
 }
 
 TEST(Build, OfAHundredThousandLightsIsQuick) {

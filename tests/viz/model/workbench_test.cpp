@@ -190,7 +190,7 @@ TEST(WorkbenchOpening, OpensWhatIsAskedForWhileAnotherFails) {
   bench.open("nonsense");
   bench.update();
   ASSERT_TRUE(comes_true([&] { return !bench.opening(); }));
-  OpenRequest other = small_request();
+  SceneRequest other = small_request();
   other.spec = "cloud?lights=7&blocks=0";
   bench.state.open = other; // before the window has heard of the failure
   settle(bench);

@@ -34,7 +34,7 @@ public:
   }
   [[nodiscard]] std::string path() const { return (folder_.path / "found.json").string(); }
   [[nodiscard]] std::shared_ptr<const OpenedScene> open() const {
-    OpenRequest request;
+    SceneRequest request;
     request.spec = path();
     return std::make_shared<const OpenedScene>(request);
   }

@@ -18,7 +18,7 @@ inline void settle(Workbench& bench) {
   }));
 }
 
-inline OpenRequest small_request() {
+inline SceneRequest small_request() {
   return {.spec = small_spec, .image_size = glm::uvec2(32, 24)};
 }
 

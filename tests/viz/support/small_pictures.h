@@ -17,7 +17,7 @@ namespace lightcuts::viz {
 inline const char* const small_spec = "cloud?lights=200&blocks=3";
 
 inline std::shared_ptr<const OpenedScene> opened(const std::string& spec, glm::uvec2 size) {
-  OpenRequest request;
+  SceneRequest request;
   request.spec = spec;
   request.image_size = size;
   return std::make_shared<const OpenedScene>(request);

@@ -6,12 +6,6 @@
 
 namespace lightcuts::viz {
 
-std::optional<Layer> layer_named(std::string_view name) {
-  for (const Layer layer : all_layers)
-    if (name == layer->name) return layer;
-  return std::nullopt;
-}
-
 Layer next(Layer layer, int direction) {
   constexpr int count = int(std::size(all_layers));
   const auto* at = std::find(std::begin(all_layers), std::end(all_layers), layer);

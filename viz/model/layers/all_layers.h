@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <string_view>
+#include <array>
+#include <type_traits>
 
 #include <viz/model/layers/kinds/certified_error.h>
 #include <viz/model/layers/kinds/clairvoyant.h>
@@ -21,7 +21,9 @@ inline constexpr Layer all_layers[] = {layers::image, layers::cut_size,        l
                                        layers::error, layers::certified_error, layers::slack,
                                        layers::time,  layers::clairvoyant,     layers::violations};
 
-[[nodiscard]] std::optional<Layer> layer_named(std::string_view name);
+[[nodiscard]] constexpr auto values_of(std::type_identity<Layer> /*type*/) {
+  return std::to_array(all_layers);
+}
 /// The next one in that order, or with -1 the one before; it goes round.
 [[nodiscard]] Layer next(Layer layer, int direction);
 

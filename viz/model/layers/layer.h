@@ -12,7 +12,7 @@ namespace lightcuts::viz {
 
 class TruthPicture;
 
-/// What is known of a pixel that sees a surface, for a layer to make its value of.
+/// A pixel that sees a surface, with all that a layer may make its value of.
 struct LayerPixel {
   const Rendering& picture;
   const Rendering* reference; ///< of layers that need it, else maybe null
@@ -30,14 +30,14 @@ struct LayerPixel {
   return error == 0 ? 0 : float(error / of);
 }
 
-/// Beside the frame, what a layer is made from.
+/// From what a layer is made beside the frame.
 enum class LayerNeeds : std::uint8_t {
   frame,     ///< nothing
   reference, ///< a frame of the reference
   truth      ///< the true contribution of every cluster at every pixel
 };
 
-/// Of a struct that has one: there are no copies of it, its address is its identity.
+/// A struct with a member of this type cannot be copied: its address is its identity.
 struct Pinned {
   constexpr Pinned() = default;
   Pinned(const Pinned&) = delete;
@@ -77,5 +77,8 @@ public:
 private:
   const LayerInfo* info_;
 };
+
+/// The name that the command line and files have for the layer.
+[[nodiscard]] constexpr const char* name_of(Layer layer) { return layer->name; }
 
 } // namespace lightcuts::viz

@@ -10,12 +10,6 @@ const char* name_of(const DisplayMethod& display) {
   return display.is_raster() ? "raster" : display.method()->name;
 }
 
-std::optional<DisplayMethod> display_named(std::string_view name) {
-  for (const DisplayMethod& display : all_displays)
-    if (name == name_of(display)) return display;
-  return std::nullopt;
-}
-
 const char* meaning_of(const DisplayMethod& display) {
   if (display.is_raster())
     return "Rasterised by OpenGL: all lights, Cook-Torrance, no shadows. A preview.";

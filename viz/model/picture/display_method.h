@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include <lightcuts/render/view/renderer.h>
@@ -37,9 +37,12 @@ inline constexpr auto all_displays = []<std::size_t... I>(std::index_sequence<I.
 }
 (std::make_index_sequence<std::size(all_methods) - 1>());
 
+[[nodiscard]] constexpr const auto& values_of(std::type_identity<DisplayMethod> /*type*/) {
+  return all_displays;
+}
+
 /// "raster", or the library's name of it.
 [[nodiscard]] const char* name_of(const DisplayMethod& display);
-[[nodiscard]] std::optional<DisplayMethod> display_named(std::string_view name);
 /// One sentence.
 [[nodiscard]] const char* meaning_of(const DisplayMethod& display);
 /// The next one in the order of Tab, or with -1 the one before; it goes round.

@@ -4,8 +4,11 @@
 #include <optional>
 
 #include <glm/vec2.hpp>
+#include <lightcuts/core/records/fields.h>
 
 namespace lightcuts::viz {
+
+inline constexpr double min_zoom = 1.0 / 64, max_zoom = 256;
 
 /// Which part of an image is shown where: zoom screen pixels per image pixel, with the image's
 /// point `centre` (pixels, (0, 0) its upper left corner) in the middle of the area.
@@ -15,9 +18,15 @@ struct ImageView {
   bool fits = true; ///< the whole image, as large as the area allows; follows its size
 
   bool operator==(const ImageView&) const = default;
-};
 
-inline constexpr double min_zoom = 1.0 / 64, max_zoom = 256;
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    constexpr Domain zoom{.least = min_zoom, .most = max_zoom, .optional = true};
+    field("fits", &ImageView::fits, domain::optional);
+    field("zoom", &ImageView::zoom, zoom);
+    field("centre", &ImageView::centre, domain::optional);
+  }
+};
 
 /// An area of the screen, pixels.
 struct ScreenArea {

@@ -10,7 +10,6 @@
 
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/core/jobs/seconds_since.h>
-#include <lightcuts/render/io/open_scene.h>
 #include <lightcuts/render/lighting/light_generator.h>
 #include <lightcuts/render/view/scene_features.h>
 #include <oracle/explain/explain.h>
@@ -31,25 +30,13 @@ bool is_counterexample(const std::filesystem::path& file) {
   return json["schema"].get<std::string>().starts_with("lightcuts-oracle/counterexample/");
 }
 
-void make_lights(Scene& scene, std::uint32_t count) {
-  const float min_distance = scene.lights.min_distance();
-  scene.lights = LightSet();
-  if (min_distance > 0) scene.lights.set_min_distance(min_distance);
-  generate(default_cloud(scene.mesh, count, 1), scene.lights);
-}
-
-Scene scene_for(const OpenRequest& request) {
-  Scene scene = open_scene(request.spec);
-  if (request.image_size) scene.image_size = *request.image_size;
-  if (request.lights > 0) {
-    make_lights(scene, request.lights);
-  } else if (scene.lights.empty()) {
-    make_lights(scene, lights_for_dark_scenes);
-    scene.notes.push_back(fmt::format("has no lights: lit by {} random ones in its upper half",
-                                      lights_for_dark_scenes));
-  }
-  if (request.min_distance) scene.lights.set_min_distance(*request.min_distance);
-  validate(scene);
+/// As the command line opens it, but not without light.
+Scene lit_scene(const SceneRequest& request, const Progress& progress) {
+  Scene scene = open_scene(request, 0, progress);
+  if (!scene.lights.empty()) return scene;
+  generate(default_cloud(scene.mesh, lights_for_dark_scenes, request.seed), scene.lights);
+  scene.notes.push_back(fmt::format("has no lights: lit by {} random ones in its upper half",
+                                    lights_for_dark_scenes));
   return scene;
 }
 
@@ -62,12 +49,12 @@ std::vector<std::uint32_t> depths(const oracle::Topology& topology) {
 
 } // namespace
 
-OpenedScene::OpenedScene(OpenRequest request, const Progress& progress)
+OpenedScene::OpenedScene(SceneRequest request, const Progress& progress)
     : request_(std::move(request)) {
   if (is_counterexample(request_.spec))
     open_counterexample();
   else
-    scene_ = scene_for(request_);
+    scene_ = lit_scene(request_, progress);
   progress.leave_if_cancelled();
   view_ = std::make_unique<SceneView>(scene_);
   progress.leave_if_cancelled();
@@ -144,7 +131,7 @@ void OpenedScene::build_tree(const Progress& progress) {
   if (counterexample_) {
     seed = counterexample_->saved.counterexample.on.seed;
     // One of the library's subjects has the name of its builder.
-    builder = builder_named(counterexample_->saved.subject).value_or(Builder::greedy);
+    builder = value_named<Builder>(counterexample_->saved.subject).value_or(Builder::greedy);
   }
   tree_ = std::make_shared<const LightTree>(build(scene_.lights, {seed, builder, progress}));
   build_seconds_ = seconds_since(start);

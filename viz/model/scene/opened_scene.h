@@ -9,7 +9,7 @@
 
 #include <glm/vec2.hpp>
 #include <lightcuts/core/tree/light_tree.h>
-#include <lightcuts/core/tree/tree_builder.h>
+#include <lightcuts/render/io/scene_request.h>
 #include <lightcuts/render/view/scene_features.h>
 #include <lightcuts/render/view/scene_view.h>
 #include <oracle/cases/counterexample_json.h>
@@ -17,18 +17,6 @@
 #include <oracle/subjects/topology.h>
 
 namespace lightcuts::viz {
-
-/// What to open, and how.
-struct OpenRequest {
-  std::string spec;                     ///< as open_scene() takes it, or a counterexample file
-  std::uint64_t tree_seed = 1;          ///< of the choice of representatives
-  Builder builder = Builder::greedy;    ///< of the tree
-  std::optional<float> min_distance;    ///< clamps distances, metres, > 0; nothing: the scene's own
-  std::optional<glm::uvec2> image_size; ///< pixels; nothing: the scene's own
-  std::uint32_t lights = 0;             ///< so many random lights in place of its own; 0: its own
-
-  bool operator==(const OpenRequest&) const = default;
-};
 
 /// Lights that a scene without any gets, so that there is something to see.
 inline constexpr std::uint32_t lights_for_dark_scenes = 1000;
@@ -53,32 +41,33 @@ class OpenedScene {
 public:
   /// Opens, builds and looks: seconds where lights are many. Throws InputError, with a message for
   /// the user; and Cancelled soon after it is, but for the reading of a file.
-  explicit OpenedScene(OpenRequest request, const Progress& progress = {});
+  explicit OpenedScene(SceneRequest request, const Progress& progress = {});
   OpenedScene(const OpenedScene&) = delete;
   OpenedScene& operator=(const OpenedScene&) = delete;
 
-  [[nodiscard]] const OpenRequest& request() const { return request_; }
+  [[nodiscard]] const SceneRequest& request() const { return request_; }
   [[nodiscard]] const Scene& scene() const { return scene_; }
-  /// By the scene's own camera.
+  /// The scene by its own camera.
   [[nodiscard]] const SceneView& view() const { return *view_; }
   /// The library's tree; of a foreign subject's counterexample the library's as well.
   [[nodiscard]] const std::shared_ptr<const LightTree>& tree() const { return tree_; }
   [[nodiscard]] const oracle::Topology& topology() const { return topology_; }
-  /// Of a node; the root has 0.
+  /// How many nodes are above the node; the root has 0.
   [[nodiscard]] std::uint32_t depth(std::uint32_t node) const { return depth_[node]; }
   [[nodiscard]] float default_threshold() const { return default_threshold_; }
-  /// What its own camera's view needs at that threshold and default_max_cut; not of a
+  /// Found for the scene's own camera at default_threshold() and default_max_cut; not of a
   /// counterexample.
   [[nodiscard]] const SceneFeatures& features() const { return features_; }
   /// Radiance under which errors are not chased; see find_scene_features().
   [[nodiscard]] float black_level() const { return black_level_; }
   [[nodiscard]] double build_seconds() const { return build_seconds_; }
 
-  /// Nothing for a scene.
+  /// The counterexample that was opened; nothing where it was a scene.
   [[nodiscard]] const std::optional<OpenedCounterexample>& counterexample() const {
     return counterexample_;
   }
-  /// What of its subject can be asked; of a scene, all that the library offers.
+  /// The questions that the counterexample's subject answers; of a scene, all that the library
+  /// does.
   [[nodiscard]] oracle::Parts parts() const;
   /// A new user of the tree of the counterexample's subject; only with a counterexample.
   [[nodiscard]] std::unique_ptr<oracle::SubjectTree> subject_tree() const {
@@ -90,7 +79,7 @@ private:
   void judge_counterexample();
   void build_tree(const Progress& progress);
 
-  OpenRequest request_;
+  SceneRequest request_;
   Scene scene_;
   std::unique_ptr<SceneView> view_;
   std::shared_ptr<const LightTree> tree_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -19,6 +20,9 @@ enum class TreeUse : std::uint8_t {
   automatic, ///< sums all lights where cuts are expected to cost more; see SceneFeatures::tree
   always
 };
+[[nodiscard]] constexpr std::array<const char*, 2> names_of(TreeUse /*any*/) {
+  return {"automatic", "always"};
+}
 
 /// How pixels are lit: everything that a slider changes without opening the scene again.
 struct ShadingSettings {
@@ -29,6 +33,15 @@ struct ShadingSettings {
   std::uint64_t seed = 1; ///< of the methods that draw lights
 
   bool operator==(const ShadingSettings&) const = default;
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("threshold", &ShadingSettings::threshold, Domain{.least = 0, .optional = true});
+    field("max_cut", &ShadingSettings::max_cut, Domain{.least = 1, .optional = true});
+    field("rules", &ShadingSettings::rules, domain::inlined);
+    field("tree_use", &ShadingSettings::tree_use, domain::optional);
+    field("seed", &ShadingSettings::seed, domain::optional);
+  }
 };
 
 /// With the scene's threshold and black level; unoccluded as the view says, of a counterexample

@@ -27,11 +27,22 @@ struct ColourSettings {
   std::optional<float> exposure; ///< of images: a factor; nothing: automatic_exposure()
 
   bool operator==(const ColourSettings&) const = default;
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    constexpr Domain exposure{.least = 1e-30, .most = 1e30, .optional = true};
+    field("colour_map", &ColourSettings::map, domain::optional);
+    field("logarithmic", &ColourSettings::logarithmic, domain::optional);
+    field("automatic_range", &ColourSettings::automatic_range, domain::optional);
+    field("lo", &ColourSettings::lo, domain::optional);
+    field("hi", &ColourSettings::hi, domain::optional);
+    field("exposure", &ColourSettings::exposure, exposure);
+  }
 };
 
 /// Everything that a person has chosen of what the window shows.
 struct ViewState {
-  OpenRequest open;
+  SceneRequest open;
   DisplayMethod display = methods::lightcuts;
   DisplayMethod compared = methods::reference; ///< right of the split
   Layer layer = layers::image;
@@ -46,14 +57,32 @@ struct ViewState {
   std::optional<Camera> camera; ///< nothing: the scene's own
 
   bool operator==(const ViewState&) const = default;
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    field("open", &ViewState::open, domain::inlined);
+    field("method", &ViewState::display, domain::optional);
+    field("compared", &ViewState::compared, domain::optional);
+    field("layer", &ViewState::layer, domain::optional);
+    field("split", &ViewState::split, domain::optional);
+    field("split_at", &ViewState::split_at, Domain{.least = 0, .most = 1, .optional = true});
+    field("pixel", &ViewState::pixel, domain::optional);
+    field("node", &ViewState::node, domain::optional);
+    field("step", &ViewState::step, Domain{.least = 1, .optional = true});
+    field("shading", &ViewState::shading, domain::inlined);
+    field("colours", &ViewState::colours, domain::inlined);
+    field("image", &ViewState::image, domain::inlined);
+    field("camera", &ViewState::camera, domain::optional);
+  }
 };
 
-/// JSON of schema lightcuts-viz/view/1; optional values that are not there are left out.
+/// JSON of schema lightcuts-viz/view/2: the scene, and what is not as by default.
 [[nodiscard]] std::string view_state_json(const ViewState& state);
 
-/// Reads that. Throws InputError that names `name` and the member, where the text is no JSON, of
-/// another schema or version, or a member is unknown or out of its domain.
+/// Reads what view_state_json() writes. Throws InputError that names `name` and the member, where
+/// the text is no JSON, of another schema or version, or a member is unknown or out of its domain.
 [[nodiscard]] ViewState read_view_state(const std::string& name, const std::string& text);
+/// read_view_state() of a file; throws InputError where it cannot be read, too.
 [[nodiscard]] ViewState load_view_state(const std::filesystem::path& file);
 
 } // namespace lightcuts::viz

@@ -88,7 +88,7 @@ void whether_tree_is_used(Workbench& workbench) {
 }
 
 void clamp(Workbench& workbench) {
-  OpenRequest& open = workbench.state.open;
+  SceneRequest& open = workbench.state.open;
   const float own = workbench.scene()->scene().lights.min_distance();
   bool clamped = open.min_distance.has_value();
   float distance = open.min_distance.value_or(own > 0 ? own : 0.1F);

@@ -74,8 +74,8 @@ struct ClusterRules {
 
   template <class Visitor>
   static constexpr void fields(Visitor&& field) {
-    field("bound", &ClusterRules::bound);
-    field("estimate", &ClusterRules::estimate);
+    field("bound", &ClusterRules::bound, domain::optional);
+    field("estimate", &ClusterRules::estimate, domain::optional);
   }
   bool operator==(const ClusterRules&) const = default;
 };

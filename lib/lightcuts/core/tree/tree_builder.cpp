@@ -11,16 +11,6 @@
 
 namespace lightcuts {
 
-const char* name_of(Builder builder) {
-  return builder == Builder::greedy ? "greedy" : "locally-ordered";
-}
-
-std::optional<Builder> builder_named(std::string_view name) {
-  for (const Builder b : all_builders)
-    if (name == name_of(b)) return b;
-  return std::nullopt;
-}
-
 LightTree build(const LightSet& lights, const BuildConfig& config) {
   if (lights.empty()) return {};
   if (lights.size() > (std::size_t(1) << 31))

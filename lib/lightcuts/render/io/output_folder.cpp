@@ -128,4 +128,13 @@ void write_file_atomically(const fs::path& file, std::string_view content) {
   check(error, file, "cannot be written");
 }
 
+void require_writable(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (fs::is_directory(file)) fail(file, "is a folder, not a file to write");
+  if (!fs::is_directory(folder))
+    fail(file, "cannot be written: there is no folder " + folder.string());
+  if (::access((fs::exists(file) ? file : folder).c_str(), W_OK) != 0)
+    fail(file, "cannot be written");
+}
+
 } // namespace lightcuts

@@ -41,4 +41,8 @@ private:
 /// (/dev/stdout) are written directly. Throws InputError, naming the file.
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
 
+/// Throws InputError, naming the file, where write_file_atomically() could not write it: known
+/// before the long job, not after.
+void require_writable(const std::filesystem::path& file);
+
 } // namespace lightcuts

@@ -12,14 +12,14 @@ namespace {
 TEST(Layer, IsFoundByItsName) {
   std::set<std::string> names, titles;
   for (const Layer layer : all_layers) {
-    EXPECT_EQ(layer_named(layer->name), layer);
+    EXPECT_EQ(value_named<Layer>(layer->name), layer);
     names.insert(layer->name);
     titles.insert(layer->title);
   }
   EXPECT_EQ(names.size(), std::size(all_layers));
   EXPECT_EQ(titles.size(), std::size(all_layers));
   for (const char* name : {"", "Image", "cut", "cut-size ", "raster"})
-    EXPECT_FALSE(layer_named(name)) << name;
+    EXPECT_FALSE(value_named<Layer>(name)) << name;
 }
 
 TEST(Layer, SaysWhatItMeansInSentences) {

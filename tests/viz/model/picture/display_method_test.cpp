@@ -28,13 +28,13 @@ TEST(DisplayMethod, IsEachOfTheLibrarysOrThePreview) {
 TEST(DisplayMethod, IsFoundByItsNameAndSaysWhatItIs) {
   std::set<std::string> meanings;
   for (const DisplayMethod& display : all_displays) {
-    EXPECT_EQ(display_named(name_of(display)), display);
+    EXPECT_EQ(value_named<DisplayMethod>(name_of(display)), display);
     meanings.insert(meaning_of(display));
     EXPECT_EQ(std::string(meaning_of(display)).back(), '.');
   }
   EXPECT_EQ(meanings.size(), std::size(all_displays));
   for (const char* name : {"", "Raster", "light", "lightcuts "})
-    EXPECT_FALSE(display_named(name)) << name;
+    EXPECT_FALSE(value_named<DisplayMethod>(name)) << name;
 }
 
 TEST(DisplayMethod, GoesRoundInBothDirections) {

@@ -18,10 +18,10 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-std::shared_ptr<const OpenedScene> open(const OpenRequest& request) {
+std::shared_ptr<const OpenedScene> open(const SceneRequest& request) {
   return std::make_shared<const OpenedScene>(request);
 }
-OpenRequest small_request() { return {.spec = small_spec, .image_size = glm::uvec2(32, 24)}; }
+SceneRequest small_request() { return {.spec = small_spec, .image_size = glm::uvec2(32, 24)}; }
 
 TEST(OpenedScene, HasTheSceneItsTreeAndWhatTheyNeed) {
   const OpenedScene& scene = *small_scene();
@@ -53,7 +53,7 @@ TEST(OpenedScene, KnowsHowDeepEveryNodeLies) {
 
 TEST(OpenedScene, ChoosesRepresentativesByTheSeed) {
   const auto representatives = [](std::uint64_t seed) {
-    OpenRequest request = small_request();
+    SceneRequest request = small_request();
     request.tree_seed = seed;
     const auto scene = open(request);
     std::vector<std::uint32_t> all;
@@ -66,7 +66,7 @@ TEST(OpenedScene, ChoosesRepresentativesByTheSeed) {
 }
 
 TEST(OpenedScene, BuildsTheTreeAsAsked) {
-  OpenRequest request = small_request();
+  SceneRequest request = small_request();
   for (const Builder builder : all_builders) {
     request.builder = builder;
     const auto scene = open(request);
@@ -78,13 +78,13 @@ TEST(OpenedScene, BuildsTheTreeAsAsked) {
 
 TEST(OpenedScene, ClampsDistancesAsAsked) {
   EXPECT_EQ(small_scene()->scene().lights.min_distance(), 0);
-  OpenRequest request = small_request();
+  SceneRequest request = small_request();
   request.min_distance = 0.25F;
   EXPECT_EQ(open(request)->scene().lights.min_distance(), 0.25F);
 }
 
 TEST(OpenedScene, PutsRandomLightsInPlaceOfItsOwn) {
-  OpenRequest request{.spec = "cloud?lights=5&blocks=3&clamp=0.5", .lights = 77};
+  SceneRequest request{.spec = "cloud?lights=5&blocks=3&clamp=0.5", .lights = 77};
   request.image_size = glm::uvec2(8, 6);
   const auto scene = open(request);
   EXPECT_EQ(scene->scene().lights.size(), 77U);
@@ -109,7 +109,7 @@ TEST(OpenedScene, RefusesWhatCannotBeOpenedWithItsName) {
   expect_refusal("some.json", [&] { (void)open({.spec = file}); });
   write(file, R"({"schema": "lightcuts-oracle/counterexample/1"})");
   expect_refusal("some.json", [&] { (void)open({.spec = file}); });
-  OpenRequest request = small_request();
+  SceneRequest request = small_request();
   request.min_distance = -1;
   EXPECT_THROW((void)open(request), InputError);
   request = small_request();

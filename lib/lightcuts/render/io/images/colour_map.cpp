@@ -126,12 +126,6 @@ float value_at(float fraction, const HeatMapScale& scale) {
                                               : lo + fraction * (hi - lo));
 }
 
-const char* name_of(ColourMap map) {
-  constexpr std::array names{"inferno", "viridis", "magma", "plasma", "turbo"};
-  static_assert(names.size() == std::size(all_colour_maps));
-  return names[std::size_t(map)];
-}
-
 Rgb8 heat_colour(float value, const HeatMapScale& scale, ColourMap map) {
   if (std::isnan(value)) return nan_colour;
   if (std::isinf(value)) return value > 0 ? infinity_colour : negative_infinity_colour;

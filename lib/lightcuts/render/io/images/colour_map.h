@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <lightcuts/core/records/fields.h>
 
 namespace lightcuts {
 
@@ -24,7 +26,9 @@ inline constexpr Rgb8 negative_infinity_colour{255, 255, 255}; ///< white
 enum class ColourMap : std::uint8_t { inferno, viridis, magma, plasma, turbo };
 inline constexpr ColourMap all_colour_maps[] = {
     ColourMap::inferno, ColourMap::viridis, ColourMap::magma, ColourMap::plasma, ColourMap::turbo};
-[[nodiscard]] const char* name_of(ColourMap map);
+[[nodiscard]] constexpr std::array<const char*, 5> names_of(ColourMap /*any*/) {
+  return {"inferno", "viridis", "magma", "plasma", "turbo"};
+}
 
 /// Which value gets which colour.
 struct HeatMapScale {

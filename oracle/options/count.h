@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace lightcuts::cli {
+namespace lightcuts::options {
 
 /// "1000", or "1e9" for 1000000000: digits, and maybe an exponent of digits. Exact; nothing for any
 /// other text, 0, or 2^64 and more.
@@ -46,4 +46,4 @@ namespace lightcuts::cli {
   return double(*number) * unit;
 }
 
-} // namespace lightcuts::cli
+} // namespace lightcuts::options

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/render/io/scene_request.h>
+
+#include <fmt/format.h>
+#include <lightcuts/core/input_error.h>
+#include <lightcuts/render/lighting/area_lights.h>
+#include <lightcuts/render/lighting/environment_lights.h>
+#include <lightcuts/render/lighting/light_generator.h>
+#include <lightcuts/render/lighting/surfels.h>
+#include <lightcuts/render/lighting/virtual_point_lights.h>
+
+namespace lightcuts {
+namespace {
+
+/// The scene's own lights give way to a cloud; where they are clamped stays.
+void replace_lights(const SceneRequest& request, Scene& scene) {
+  const float min_distance = scene.lights.min_distance();
+  scene.lights = LightSet();
+  if (min_distance > 0) scene.lights.set_min_distance(min_distance);
+  generate(default_cloud(scene.mesh, request.lights, request.seed), scene.lights);
+}
+
+void make_lights(const SceneRequest& request, unsigned threads, Scene& scene) {
+  if (request.lights > 0) replace_lights(request, scene);
+  if (request.min_distance) scene.lights.set_min_distance(*request.min_distance);
+  if (request.area_lights > 0)
+    add_area_lights(scene, {.count = request.area_lights, .seed = request.seed});
+  if (!request.environment.empty())
+    add_environment_lights(scene, read_environment(request.environment),
+                           {.count = request.environment_lights});
+  if (request.vpls > 0)
+    add_virtual_point_lights(scene, {.paths = request.vpls, .seed = request.seed});
+  if (request.surfels > 0)
+    add_surfels(scene, {.count = request.surfels, .seed = request.seed, .threads = threads});
+}
+
+} // namespace
+
+Scene open_scene(const SceneRequest& request, unsigned threads, const Progress& progress) {
+  Scene scene = open_scene(request.spec);
+  progress.leave_if_cancelled();
+  if (request.image_size) scene.image_size = *request.image_size;
+  try {
+    make_lights(request, threads, scene);
+  } catch (const InputError& error) {
+    throw InputError(error.fault(), fmt::format("{}: {}", request.spec, error.what()));
+  }
+  validate(scene);
+  return scene;
+}
+
+} // namespace lightcuts

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/options/values.h>
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <lightcuts/render/io/open_scene.h>
+#include <oracle/options/count.h>
+
+namespace lightcuts::options {
+
+std::optional<glm::uvec2> parse_pair(const std::string& text, char separator) {
+  const std::size_t at = text.find(separator);
+  if (at == std::string::npos) return std::nullopt;
+  const std::string parts[] = {text.substr(0, at), text.substr(at + 1)};
+  for (const std::string& part : parts)
+    if (part.empty() || part.size() > 5 || part.find_first_not_of("0123456789") != part.npos)
+      return std::nullopt;
+  return glm::uvec2(std::stoul(parts[0]), std::stoul(parts[1]));
+}
+
+std::optional<glm::uvec2> parse_size(const std::string& text) {
+  const auto size = parse_pair(text, 'x');
+  const auto fits = [](unsigned side) { return side >= 1 && side <= max_image_side; };
+  return size && fits(size->x) && fits(size->y) ? size : std::nullopt;
+}
+
+std::string check_size(const std::string& text) {
+  if (parse_size(text)) return {};
+  return fmt::format("'{}' is not WIDTHxHEIGHT, each from 1 to {} pixels", text, max_image_side);
+}
+
+std::optional<float> parse_threshold(const std::string& text) {
+  std::size_t used = 0;
+  float value = NAN;
+  try {
+    value = std::stof(text, &used);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+  const std::string unit = text.substr(used);
+  if (!(unit.empty() || unit == "%") || !(value >= 0) || std::isinf(value)) return std::nullopt;
+  return unit == "%" ? static_cast<float>(std::stod(text) / 100) : value;
+}
+
+std::string check_threshold(const std::string& text) {
+  return text == "auto" || parse_threshold(text)
+             ? ""
+             : "'" + text + "' is not a threshold such as 2%, 0.02 or auto";
+}
+
+std::string check_count(const std::string& text) {
+  return parse_count(text) ? ""
+                           : "'" + text +
+                                 "' is not a whole number above 0 and below 2^64, such as 1000000 "
+                                 "or 1e9";
+}
+
+std::string check_positive(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  const bool zero = text.find_first_not_of('0') == std::string::npos;
+  return digits && !zero ? "" : "'" + text + "' is not a whole number above 0";
+}
+
+std::string check_not_negative(const std::string& text) {
+  return text.starts_with('-') ? "'" + text + "' is negative" : "";
+}
+
+std::string check_distance(const std::string& text) {
+  float distance = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, distance);
+  const bool whole = error == std::errc() && rest == end;
+  return whole && distance > 0 && std::isfinite(distance)
+             ? ""
+             : "'" + text + "' is not a finite number above 0";
+}
+
+} // namespace lightcuts::options
