@@ -50,8 +50,8 @@ WindowHandle make_window(const AppSettings& settings) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  WindowHandle window(glfwCreateWindow(settings.window_size.x, settings.window_size.y, "Lightcuts",
-                                       nullptr, nullptr));
+  WindowHandle window(glfwCreateWindow(int(settings.window_size.x), int(settings.window_size.y),
+                                       "Lightcuts", nullptr, nullptr));
   if (!window) throw GlError("no window with OpenGL 3.3: " + Glfw::last_error());
   glfwMakeContextCurrent(window.get());
   glfwSwapInterval(1);
@@ -139,7 +139,7 @@ void wait_for_events(FramePacer& pacer, bool busy) {
 /// What is to be remembered of the window; asks nobody but the app.
 AppSettings settings_of(App& app, glm::ivec2 window_size) {
   AppSettings settings = app.settings();
-  settings.window_size = window_size;
+  settings.window_size = glm::uvec2(window_size);
   return settings;
 }
 
@@ -154,7 +154,7 @@ void run_window(const AppSettings& settings, std::optional<float> scale,
   App app(settings, output);
   const Input input(window.get(), app);
   start(app);
-  glm::ivec2 window_size = settings.window_size; // in its last frame
+  glm::ivec2 window_size(settings.window_size); // in its last frame
   const LostDisplayGuard guard([&] { end(settings_of(app, window_size)); });
   FramePacer pacer;
   while (glfwWindowShouldClose(window.get()) == GLFW_FALSE && !app.wants_to_quit()) {

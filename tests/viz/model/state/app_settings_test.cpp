@@ -9,6 +9,8 @@
 
 #include <tests/render/support/refusal.h>
 #include <tests/render/support/temporary_folder.h>
+#include <tests/support/every_field.h>
+#include <tests/support/member_count.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -35,6 +37,22 @@ TEST(AppSettings, PersistInAFolderThatIsMade) {
   save_settings(chosen(), where);
   EXPECT_EQ(load_settings(where, problem), chosen());
   EXPECT_EQ(problem, "") << "no file at all is none, either";
+}
+
+TEST(AppSettings, ListAllTheirMembers) {
+  EXPECT_EQ(field_count<AppSettings>(), member_count<AppSettings>());
+}
+
+TEST(AppSettings, PersistWithEveryFieldUnlikeItsDefault) {
+  const TemporaryFolder folder;
+  const auto all = unlike_default<AppSettings>();
+  const auto leaves = leaves_of(all);
+  for (const auto& [path, bits] : leaves_of(AppSettings{}))
+    EXPECT_NE(leaves.at(path), bits) << path;
+  save_settings(all, folder.path);
+  std::string problem;
+  EXPECT_EQ(leaves_of(load_settings(folder.path, problem)), leaves);
+  EXPECT_EQ(problem, "");
 }
 
 TEST(AppSettings, NeedNoFolder) {
