@@ -59,8 +59,4 @@ std::string duration_text(double seconds) {
   return two_parts(minutes / 60, "h", minutes % 60, "min");
 }
 
-std::string counted(std::size_t count, const char* one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
-
 } // namespace lightcuts::viz

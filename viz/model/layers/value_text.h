@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include <glm/vec3.hpp>
@@ -18,8 +17,5 @@ namespace lightcuts::viz {
 
 /// A time in seconds: "0.42 ms", "35 ms", "0.3 s", "12 s", "1 min 20 s", "2 h 5 min".
 [[nodiscard]] std::string duration_text(double seconds);
-
-/// "1 light", "5 lights".
-[[nodiscard]] std::string counted(std::size_t count, const char* one);
 
 } // namespace lightcuts::viz

@@ -7,11 +7,14 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <lightcuts/render/io/text.h>
 
 #include <viz/model/layers/all_layers.h>
-#include <viz/model/layers/value_text.h>
 #include <viz/model/state/saved_view.h>
 #include <viz/panels/app/drawing.h>
+#include <viz/panels/app/overlays.h>
+#include <viz/panels/app/status_line.h>
+#include <viz/panels/app/toolbar.h>
 #include <viz/panels/cut/counterexample_panel.h>
 #include <viz/panels/cut/refinement_panel.h>
 #include <viz/panels/picture/pixel_panel.h>
@@ -35,45 +38,6 @@ void draw_splitter(const char* id, bool upright, float length, float& share) {
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
   ImGui::GetWindowDrawList()->AddRectFilled(
       lo, hi, ImGui::GetColorU32(hot ? ImGuiCol_SeparatorHovered : ImGuiCol_Separator, 0.5F));
-}
-
-/// A combo of all displays; what it is called, on hovering.
-void display_combo(const char* id, DisplayMethod& display) {
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11);
-  if (!ImGui::BeginCombo(id, name_of(display))) {
-    tooltip(meaning_of(display));
-    return;
-  }
-  for (const DisplayMethod& d : all_displays) {
-    if (ImGui::Selectable(name_of(d), d == display)) display = d;
-    tooltip(meaning_of(d));
-  }
-  ImGui::EndCombo();
-}
-
-void layer_combo(Layer& layer) {
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9);
-  if (!ImGui::BeginCombo("##layer", layer->title)) {
-    tooltip(layer->meaning);
-    return;
-  }
-  for (const Layer l : all_layers) {
-    if (ImGui::Selectable(l->title, l == layer)) layer = l;
-    tooltip(l->meaning);
-  }
-  ImGui::EndCombo();
-}
-
-void colour_map_combo(ColourMap& map) {
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
-  if (!ImGui::BeginCombo("##map", name_of(map))) return;
-  for (const ColourMap m : all_colour_maps)
-    if (ImGui::Selectable(name_of(m), m == map)) map = m;
-  ImGui::EndCombo();
-}
-
-std::string if_any(std::uint64_t n, const char* what) {
-  return n == 0 ? std::string() : fmt::format("  {} {}", n, what);
 }
 
 } // namespace
@@ -114,8 +78,8 @@ void App::frame() {
     draw_welcome();
   }
   ImGui::End();
-  draw_messages();
-  draw_help();
+  draw_messages(workbench_);
+  draw_help(shows_help_);
   if (const auto chosen = open_dialog_.draw(settings_)) workbench_.open(*chosen);
   settings_.colour_map = workbench_.state.colours.map;
 }
@@ -156,8 +120,6 @@ void App::save() {
     workbench_.say(error.what(), true);
   }
 }
-
-// ---- the menu
 
 void App::draw_menu() {
   if (!ImGui::BeginMainMenuBar()) return;
@@ -208,43 +170,18 @@ void App::draw_view_menu() {
   ImGui::EndMenu();
 }
 
-// ---- left: the image, and the tree below it
-
 void App::draw_left(float width, float height) {
   ImGui::BeginChild("left", {width, height});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 4});
   const float tree = std::floor(settings_.tree_share * height);
-  draw_toolbar();
+  draw_toolbar(workbench_.state);
   const float status = ImGui::GetTextLineHeightWithSpacing() + 2;
   draw_image_row(std::max(40.0F, ImGui::GetContentRegionAvail().y - tree - splitter - status - 8));
-  draw_status();
+  draw_status(workbench_, image_);
   ImGui::PopStyleVar();
   draw_splitter("tree", false, height, settings_.tree_share);
   draw_tree(ImGui::GetContentRegionAvail().y);
   ImGui::EndChild();
-}
-
-void App::draw_toolbar() {
-  ViewState& s = workbench_.state;
-  display_combo("##method", s.display);
-  ImGui::SameLine();
-  layer_combo(s.layer);
-  ImGui::SameLine();
-  ImGui::Checkbox("split", &s.split);
-  tooltip("Two methods in one image; drag the line between them.");
-  if (s.split) {
-    ImGui::SameLine();
-    display_combo("##compared", s.compared);
-  }
-  if (s.layer.is_image()) return;
-  ImGui::SameLine();
-  colour_map_combo(s.colours.map);
-  ImGui::SameLine();
-  if (ImGui::Checkbox("log", &s.colours.logarithmic)) s.colours.automatic_range = true;
-  tooltip("Equal ratios, not equal differences, get equal steps of colour.");
-  if (s.colours.automatic_range) return;
-  ImGui::SameLine();
-  if (ImGui::SmallButton("auto range")) s.colours.automatic_range = true;
 }
 
 void App::draw_image_row(float height) {
@@ -257,47 +194,6 @@ void App::draw_image_row(float height) {
   ImGui::BeginChild("legend", {width, height}, false, still);
   legend_.draw(workbench_, image_.shown());
   ImGui::EndChild();
-}
-
-void App::draw_status() {
-  const LayerStatistics& n = image_.shown().coloured().statistics;
-  const auto picture = workbench_.current_picture();
-  if (picture || !image_.raster_complete()) {
-    const float share = picture ? float(picture->share()) : image_.raster_share();
-    const auto left = picture ? picture->seconds_left() : std::nullopt;
-    const std::string text =
-        fmt::format("{:.0f} %{}", 100 * share, left ? ", " + duration_text(*left) + " left" : "");
-    ImGui::ProgressBar(share, {ImGui::GetFontSize() * 14, ImGui::GetTextLineHeight() + 2},
-                       text.c_str());
-    ImGui::SameLine();
-  } else {
-    const auto frame = workbench_.sources(workbench_.state.display, layers::image).frame;
-    if (frame->complete() && !workbench_.state.display.is_raster()) {
-      ImGui::Text("rendered in %s", duration_text(frame->seconds()).c_str());
-      ImGui::SameLine();
-    }
-    const auto features = frame->features();
-    if (features && !features->tree) {
-      ImGui::TextColored(quiet_text, "no tree here: it would not pay");
-      tooltip("Live: 'use the tree even where it does not pay' shows the cuts that lightcuts would "
-              "make.");
-      ImGui::SameLine();
-    }
-  }
-  const Layer layer = workbench_.state.layer;
-  const bool clean = !picture && n.known > 0 && n.largest == 0;
-  if (layer->none != nullptr && clean)
-    ImGui::TextUnformatted(fmt::format("{} at {} pixels", layer->none, n.known).c_str());
-  else if (!layer.is_image())
-    ImGui::TextUnformatted(
-        fmt::format("mean {}  largest {}", short_text(n.mean), short_text(n.largest)).c_str());
-  else
-    ImGui::TextUnformatted("");
-  const std::string odd = if_any(n.nan, "NaN (magenta)") + if_any(n.infinite, "infinite (cyan)");
-  if (!odd.empty()) {
-    ImGui::SameLine();
-    ImGui::TextColored(violation_text, "%s", odd.c_str());
-  }
 }
 
 void App::draw_tree(float height) {
@@ -326,8 +222,6 @@ void App::draw_tree(float height) {
   if (events.clicked) workbench_.state.node = events.clicked;
   ImGui::EndChild();
 }
-
-// ---- right: the details
 
 void App::draw_right() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {6, 2});
@@ -373,49 +267,6 @@ void App::draw_cut_tab() {
                     cluster_state_, {0, 0});
   if (events.clicked) workbench_.state.node = events.clicked;
   hovered_node_ = events.hovered;
-}
-
-// ---- over everything
-
-void App::draw_messages() {
-  if (workbench_.messages().empty()) return;
-  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-  ImGui::SetNextWindowPos(
-      {viewport.WorkPos.x + viewport.WorkSize.x / 2, viewport.WorkPos.y + viewport.WorkSize.y - 12},
-      ImGuiCond_Always, {0.5F, 1});
-  ImGui::SetNextWindowSize({std::min(viewport.WorkSize.x - 40, ImGui::GetFontSize() * 60), 0});
-  ImGui::Begin("messages", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-  constexpr std::size_t most = 6;
-  const auto& all = workbench_.messages();
-  ImGui::PushTextWrapPos();
-  for (std::size_t i = all.size() > most ? all.size() - most : 0; i < all.size(); ++i)
-    if (all[i].error)
-      ImGui::TextColored(violation_text, "%s", all[i].text.c_str());
-    else
-      ImGui::TextUnformatted(all[i].text.c_str());
-  ImGui::PopTextWrapPos();
-  if (ImGui::SmallButton("OK")) workbench_.clear_messages();
-  ImGui::End();
-}
-
-void App::draw_help() {
-  if (!shows_help_) return;
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
-  ImGui::Begin("Shortcuts", &shows_help_,
-               ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
-                   ImGuiWindowFlags_NoSavedSettings);
-  if (ImGui::BeginTable("shortcuts", 2, ImGuiTableFlags_SizingFixedFit)) {
-    for (const Shortcut& s : all_shortcuts()) {
-      ImGui::TableNextColumn();
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(selection_colour), "%s", s.keys);
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(s.effect);
-    }
-    ImGui::EndTable();
-  }
-  ImGui::End();
 }
 
 void App::draw_welcome() {

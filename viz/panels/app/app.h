@@ -36,9 +36,9 @@ public:
   [[nodiscard]] AppSettings& settings() { return settings_; }
   [[nodiscard]] const ImagePanel& image() const { return image_; }
   [[nodiscard]] const Legend& legend() const { return legend_; }
-  /// As if it had been chosen by a click.
+  /// Shows the panel as if it had been chosen by a click.
   void show(Tab tab) { wanted_tab_ = tab; }
-  /// A file that was dropped on the window.
+  /// Opens a file that was dropped on the window.
   void drop(const std::string& file) { workbench_.open(file); }
   /// Whether all that is asked for is shown: nothing runs in the background.
   [[nodiscard]] bool settled() const;
@@ -50,15 +50,11 @@ private:
   void draw_file_menu();
   void draw_view_menu();
   void draw_left(float width, float height);
-  void draw_toolbar();
   void draw_image_row(float height);
-  void draw_status();
   void draw_tree(float height);
   void draw_right();
   void draw_tabs();
   void draw_cut_tab();
-  void draw_messages();
-  void draw_help();
   void draw_welcome();
   void adopt_scene();
   void save();
