@@ -106,7 +106,8 @@ private:
   GlName<detail::destroy_vertex_array> name_;
 };
 
-/// What a texel holds. `rgb8` and `rgba8` are read as [0, 1], without any sRGB decoding.
+/// Channels of a texel and their type. `rgb8` and `rgba8` are read as [0, 1], without any sRGB
+/// decoding.
 enum class TexelFormat { rgb8, rgba8, rgb32f, rgba32f, depth32f };
 
 /// An image of the graphics card; the first row is the lowest for OpenGL. No mip levels.
@@ -174,7 +175,7 @@ private:
   glm::uvec2 size_{0};
 };
 
-/// What is drawn from here on covers what is there by its alpha; an opaque picture stays opaque.
+/// From here on drawings cover by their alpha; an opaque picture stays opaque.
 void enable_blending();
 
 /// While it lives, draws may go elsewhere; afterwards to where they went before. At both ends

@@ -22,7 +22,7 @@ namespace lightcuts::viz {
 /// batch in a random order, but no shadows. Diffuse and Cook-Torrance surfaces as the renderer has
 /// them, in single precision; for others see preview_material.h.
 ///
-/// SceneFeatures a current OpenGL 3.3 context in every call, always the same; calls leave the
+/// Needs a current OpenGL 3.3 context in every call, always the same; calls leave the
 /// framebuffer and the viewport as they were.
 class RasterPreview {
 public:
@@ -43,7 +43,7 @@ public:
   /// Pixels of the picture; (0, 0) where none was begun.
   [[nodiscard]] glm::uvec2 size() const { return size_; }
 
-  /// What the camera sees, linear RGB, row by row from the top: the surface's emission and what it
+  /// The picture, linear RGB, row by row from the top: the surface's emission and what it
   /// reflects of the lights so far, times 1/share(): on average over orders of the lights, that is
   /// the whole. 0 where a pixel sees no surface.
   [[nodiscard]] std::vector<glm::vec3> radiance() const;

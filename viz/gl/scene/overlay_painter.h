@@ -13,7 +13,7 @@
 
 namespace lightcuts::viz {
 
-/// What all drawings from one point of view share.
+/// A point of view, for all that is drawn from it.
 struct PaintView {
   glm::mat4 clip_from_offset; ///< see view_frame.h
   glm::vec3 camera;           ///< relative to the anchor of the positions, metres

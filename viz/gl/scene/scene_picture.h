@@ -28,7 +28,7 @@ enum class SolidFaces {
 /// each light a point of its colour (at most max_shown_lights of them: a random subset, always the
 /// same); the traced camera; an overlay of lines and points, faint where hidden.
 ///
-/// SceneFeatures a current OpenGL 3.3 context in every call, always the same; calls leave the
+/// Needs a current OpenGL 3.3 context in every call, always the same; calls leave the
 /// framebuffer and the viewport as they were.
 class ScenePicture {
 public:

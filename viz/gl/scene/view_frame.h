@@ -24,7 +24,7 @@ struct ViewFrame {
 [[nodiscard]] ViewFrame view_frame(const Camera& camera, glm::uvec2 size);
 
 /// From offsets (position - origin, metres) to clip space, with nothing cut off in the distance.
-/// What is nearer than `near` metres in depth is cut off. The clip space's w is the depth along
+/// Everything nearer than `near` metres in depth is cut off. The clip space's w is the depth along
 /// `forward`; its z is good for clipping only: shaders set gl_FragDepth from w.
 [[nodiscard]] glm::mat4 clip_from_offset(const ViewFrame& frame, double near);
 

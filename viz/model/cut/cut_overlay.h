@@ -13,7 +13,7 @@
 
 namespace lightcuts::viz {
 
-/// What the colour of a cluster says.
+/// By which quantity clusters are coloured.
 enum class ClusterColour { error, bound, lights };
 
 /// The quantity that is coloured: error and bound as scalar_of() has them, radiance; nothing where
@@ -43,7 +43,7 @@ struct OverlayOptions {
   float scene_diagonal = 1;       ///< metres, for the length of the normal; default 1
 };
 
-/// What is drawn for a cut: boxes of clusters (of those with some extent) coloured by their value,
+/// The drawing of a cut: boxes of clusters (of those with some extent) coloured by their value,
 /// lines to representatives, which are points, and the normal (unit, or 0 for none) as an arrow
 /// from the shading point, metres. The selected cluster always has its box and its line.
 [[nodiscard]] Overlay overlay_of(const glm::vec3& position, const glm::vec3& normal,

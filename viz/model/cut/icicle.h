@@ -55,8 +55,8 @@ public:
   /// Takes time and memory in proportion to the nodes. A tree without lights has no blocks.
   explicit Icicle(const oracle::Topology& tree);
 
-  /// What is to be drawn, row by row, from left to right. Children of nodes narrower than a pixel
-  /// are left out. Takes time in proportion to the pixels, however large or deep the tree.
+  /// The blocks to be drawn, row by row, from left to right. Children of nodes narrower than a
+  /// pixel are left out. Takes time in proportion to the pixels, however large or deep the tree.
   [[nodiscard]] std::vector<IcicleBlock> blocks(const IcicleView& view,
                                                 const IcicleCut& cut = {}) const;
 

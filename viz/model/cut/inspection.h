@@ -36,7 +36,7 @@ struct Inspection {
   std::uint32_t shadow_rays = 0;
   std::vector<ClusterRow> clusters;
   std::uint32_t final_size = 0; ///< clusters of the final cut
-  /// What the next refinement replaces: of a step before the last one.
+  /// The node that the next refinement replaces; nothing at the last step.
   std::optional<std::uint32_t> refined_next;
   std::optional<glm::dvec3> truth; ///< exact radiance, by the oracle; see add_truth()
   std::optional<std::size_t> clairvoyant;

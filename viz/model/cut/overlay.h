@@ -24,7 +24,7 @@ struct ColouredPoint {
   float size = 6; ///< diameter, pixels
 };
 
-/// What is drawn over a picture of the scene, in this order: later ones lie on top.
+/// Lines and points that are drawn over a picture of the scene, in order: later ones lie on top.
 struct Overlay {
   std::vector<ColouredLine> lines;
   std::vector<ColouredPoint> points;

@@ -11,7 +11,7 @@
 
 namespace lightcuts::viz {
 
-/// What pixels have that nothing is known of yet, and those that see no surface in a heat map.
+/// Colours of pixels of which nothing is known yet, and of those in a heat map that see no surface.
 inline constexpr Rgb8 pending_colour{38, 38, 42}, nothing_colour{58, 58, 66};
 
 /// A layer and the numbers that its legend shows.

@@ -16,8 +16,8 @@
 
 namespace lightcuts::viz {
 
-/// What a layer is computed from: the frame, and where the layer needs them the reference and the
-/// truth, of the same scene, camera and size.
+/// The pictures that a layer is computed from: the frame, and where the layer needs them the
+/// reference and the truth, of the same scene, camera and size.
 struct LayerSources {
   std::shared_ptr<const Frame> frame;
   std::shared_ptr<const Frame> reference;

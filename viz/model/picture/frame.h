@@ -8,7 +8,7 @@
 
 namespace lightcuts::viz {
 
-/// What a picture depends on.
+/// All that a picture depends on.
 struct FrameKey {
   std::shared_ptr<const OpenedScene> scene;
   Method method = methods::lightcuts;
@@ -32,8 +32,8 @@ public:
   /// Only what sources() names may be read while the picture is being made.
   [[nodiscard]] const Rendering& rendering() const { return rendering_; }
   [[nodiscard]] const CutConfig& cut() const { return config_.cut; }
-  /// What was found of the tree's use; nothing before the picture has begun, and where it is not
-  /// asked for.
+  /// Whether the tree is of use, among others; nothing before the picture has begun, and where it
+  /// is not asked for.
   [[nodiscard]] std::optional<SceneFeatures> features() const;
   /// Whether all lights were summed: the reference, and lightcuts where the tree does not pay.
   [[nodiscard]] bool sums_all_lights() const;

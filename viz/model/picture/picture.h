@@ -51,7 +51,7 @@ public:
   /// written any more.
   static constexpr std::uint32_t unknown = ~0U;
   [[nodiscard]] std::vector<std::uint32_t> sources() const;
-  /// The same of one pixel, which is within the picture.
+  /// The pixel that stands for this one, which is within the picture, or `unknown`; see sources().
   [[nodiscard]] std::uint32_t source_of(glm::uvec2 pixel) const;
 
 protected:

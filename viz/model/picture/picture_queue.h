@@ -20,8 +20,8 @@ public:
   [[nodiscard]] std::shared_ptr<Frame> frame(const FrameKey& key);
   [[nodiscard]] std::shared_ptr<TruthPicture> truth(const FrameKey& key);
 
-  /// What is wanted now, first things first; all else stops. Cheap where nothing has changed: to
-  /// be called for every frame of the window.
+  /// Makes these, one after the other, and stops all else. Cheap where nothing has changed: to be
+  /// called for every frame of the window.
   void want(std::vector<std::shared_ptr<Picture>> pictures);
 
   /// Whether some wanted picture is not complete.

@@ -8,7 +8,7 @@
 
 namespace lightcuts::viz {
 
-/// What is true at each pixel of a frame, by the oracle: far slower than the frame, since every
+/// The truth about each pixel of a frame, by the oracle: far slower than the frame, since every
 /// light is looked at in long double.
 class TruthPicture : public Picture {
 public:

@@ -18,7 +18,7 @@ namespace lightcuts::viz {
 
 /// Writes NAME.png (what is given: the layer that is shown, in its colours), NAME.exr (film_of())
 /// and NAME.json (view_state_json()) to the folder, which is made; all or nothing. Throws
-/// InputError. SceneFeatures an open scene.
+/// InputError. Needs an open scene.
 void save_view(Workbench& workbench, const Coloured& shown, const LayerValues& values,
                const std::filesystem::path& folder, const std::string& name);
 

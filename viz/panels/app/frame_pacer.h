@@ -17,7 +17,8 @@ public:
 
   /// For how many seconds to wait for events before the next frame.
   [[nodiscard]] double patience(bool is_busy, Clock::time_point now) const;
-  /// What came of the waiting: whether there were events, after so many seconds of `patience`.
+  /// To be told of every waiting: how long it was to last, and lasted, seconds; shorter: an event
+  /// came.
   void waited(double patience, double seconds);
   void drawn(Clock::time_point start, Clock::time_point end) {
     start_ = start;

@@ -30,7 +30,7 @@ public:
   bool settle(double seconds);
   /// Waits until OpenGL has drawn the last frame; for measurements.
   void finish() const;
-  /// What the last frame looked like, row by row from the top.
+  /// The last frame, row by row from the top.
   [[nodiscard]] std::vector<Rgb8> screenshot() const;
 
 private:

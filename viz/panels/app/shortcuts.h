@@ -16,7 +16,7 @@ struct Shortcut {
 /// All there are, the mouse's too, in the order to show them.
 [[nodiscard]] std::span<const Shortcut> all_shortcuts();
 
-/// What keys ask of the window itself in this frame; the rest is done to the workbench.
+/// Requests of keys to the window itself in this frame; all others are acted upon at once.
 struct KeyRequests {
   bool open = false, save = false, help = false, quit = false;
   bool flip = false; ///< the reference is to be shown while held

@@ -14,7 +14,7 @@
 
 namespace lightcuts::viz {
 
-/// What the table shows.
+/// The clusters that the table shows.
 struct ClusterContents {
   std::span<const ClusterRow> rows;
   std::uint64_t revision = 0;                 ///< another number whenever the rows have changed
@@ -31,7 +31,7 @@ struct ClusterOrder {
   std::vector<std::uint32_t> rows;
 };
 
-/// What stays from frame to frame.
+/// State of the table that stays from frame to frame.
 struct ClusterPanelState {
   std::string filter;                           ///< see read_filter(); default empty
   ClusterColumn column = ClusterColumn::share;  ///< by which it is sorted at first; default share

@@ -5,8 +5,8 @@
 
 namespace lightcuts::viz {
 
-/// What a counterexample of the oracle is about: the property, bound and truth of the cluster that
-/// breaks it side by side, and the oracle's arithmetic step by step. SceneFeatures a scene with a
+/// A counterexample of the oracle: the property, bound and truth of the cluster that
+/// breaks it side by side, and the oracle's arithmetic step by step. Needs a scene with a
 /// counterexample.
 void draw_counterexample_panel(Workbench& workbench);
 

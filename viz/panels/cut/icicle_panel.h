@@ -13,7 +13,7 @@
 
 namespace lightcuts::viz {
 
-/// What an icicle shows.
+/// The tree and cut that an icicle shows.
 struct IcicleContents {
   const Icicle& icicle;
   const oracle::Topology& tree; ///< the icicle's
@@ -27,7 +27,7 @@ struct IcicleContents {
   std::function<std::optional<ClusterRow>(std::uint32_t node)> row = {};
 };
 
-/// What stays from frame to frame.
+/// State of the icicle that stays from frame to frame.
 struct IciclePanelState {
   IcicleView view{.row_height = 18};
   float dragged = 0;                            ///< pixels down that do not make a row yet

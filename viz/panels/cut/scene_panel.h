@@ -16,11 +16,11 @@ namespace lightcuts::viz {
 /// its cut as boxes.
 class ScenePanel {
 public:
-  /// Fills what is left of the current ImGui window. SceneFeatures an open scene.
+  /// Fills what is left of the current ImGui window. Needs an open scene.
   void draw(Workbench& workbench);
 
 private:
-  /// What a picture is drawn from: it is drawn again only where that differs.
+  /// All that a picture is drawn from: it is drawn again only where that differs.
   struct Drawn {
     glm::uvec2 size{0};
     Camera camera, traced;

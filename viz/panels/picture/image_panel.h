@@ -15,16 +15,16 @@ namespace lightcuts::viz {
 /// people zoom, pan, select pixels and move the camera.
 class ImagePanel {
 public:
-  /// Fills what is left of the current ImGui window. SceneFeatures an open scene.
+  /// Fills what is left of the current ImGui window. Needs an open scene.
   void draw(Workbench& workbench);
 
   /// Of the last draw(): where on the screen the image's area was, and the view as it was shown.
   [[nodiscard]] const ScreenArea& area() const { return area_; }
   [[nodiscard]] const ImageView& view() const { return view_; }
   [[nodiscard]] std::optional<glm::uvec2> hovered() const { return hovered_; }
-  /// What is shown, left of the split.
+  /// The picture left of the split, or the whole.
   [[nodiscard]] const ShownPicture& shown() const { return shown_; }
-  /// Right of it.
+  /// The picture right of the split.
   [[nodiscard]] const ShownPicture& compared() const { return compared_; }
   /// While held, the reference is shown.
   void flip(bool held) { flipped_ = held; }

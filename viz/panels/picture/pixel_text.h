@@ -10,7 +10,7 @@
 
 namespace lightcuts::viz {
 
-/// What is known of a pixel of the display: place, RGB, cut size, error, a line each.
+/// All that is known of a pixel of the display: place, RGB, cut size, error, a line each.
 [[nodiscard]] std::string pixel_text(Workbench& workbench, glm::uvec2 pixel);
 
 /// Writes the value of pixel i into it; `at`: its middle on the screen, zoom: its side.

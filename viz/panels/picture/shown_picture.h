@@ -14,7 +14,7 @@ namespace lightcuts::viz {
 /// A layer of a display as a texture, made anew when there is more of it.
 class ShownPicture {
 public:
-  /// What is to be shown. exposure: of images where none is chosen.
+  /// Which layer to show, and how; `exposure`: of images where none is chosen.
   struct Wish {
     DisplayMethod display;
     Layer layer = layers::image;
@@ -38,7 +38,7 @@ private:
   /// While a picture grows it is shown anew at most this often, seconds.
   static constexpr double patience = 0.1;
 
-  /// What the texture was made from.
+  /// All that the texture was made from.
   struct Identity {
     std::shared_ptr<const void> frame, reference, truth;
     Layer layer = layers::image;
