@@ -4,11 +4,13 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include <viz/model/state/app_settings.h>
 #include <viz/model/state/view_state.h>
 #include <viz/panels/app/app.h>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace lightcuts::viz {
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <lightcuts/render/io/output_folder.h>
 #include <lightcuts/render/io/scene_request.h>
@@ -15,6 +14,10 @@
 #include <lightcuts/render/view/scene_view.h>
 #include <nlohmann/json.hpp>
 #include <oracle/campaign/check.h>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace lightcuts::cli {
 

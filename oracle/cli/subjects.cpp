@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
 #include <oracle/cli/subjects.h>
 
 namespace lightcuts::cli {

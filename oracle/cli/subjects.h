@@ -3,8 +3,11 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <oracle/subjects/subjects.h>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace lightcuts::cli {
 

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include <oracle/options/values.h>
 
 namespace lightcuts::options {

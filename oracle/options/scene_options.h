@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include <lightcuts/render/io/scene_request.h>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace lightcuts::options {
 
