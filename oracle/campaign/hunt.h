@@ -17,7 +17,7 @@ struct HuntConfig {
   bool waste = true;            ///< whether waste counts as found; default true
   std::uint64_t further = 0;    ///< cases judged after the first that fails, in search of one that
                                 ///< fails a property nearer to the cause; default 0
-  Progress progress;            ///< asked before each case whether to end
+  Progress progress;            ///< asked before each case whether to end, and told after it
 };
 
 /// A case on which a property does not hold, and what check_case() said of it.

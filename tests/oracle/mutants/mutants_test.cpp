@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <oracle/campaign/check_case.h>
 #include <oracle/campaign/hunt.h>
 #include <oracle/cases/counterexample_json.h>
+#include <oracle/properties/judge.h>
 #include <oracle/subjects/library_subject.h>
 
 namespace lightcuts::oracle {

@@ -9,7 +9,7 @@ namespace {
 using std::chrono::milliseconds;
 
 /// One that has just drawn, and nothing has happened for long.
-FramePacer rested(FramePacer::Clock::time_point now) {
+FramePacer rested(Clock::time_point now) {
   FramePacer pacer;
   for (int i = 0; i < 10; ++i) pacer.waited(1, 1);
   pacer.drawn(now - milliseconds(9), now);
@@ -17,7 +17,7 @@ FramePacer rested(FramePacer::Clock::time_point now) {
 }
 
 TEST(FramePacer, WaitsLongWhereNothingHappens) {
-  const auto now = FramePacer::Clock::now();
+  const auto now = Clock::now();
   const FramePacer pacer = rested(now);
   EXPECT_DOUBLE_EQ(pacer.patience(false, now), FramePacer::idle);
   EXPECT_DOUBLE_EQ(pacer.patience(true, now), FramePacer::busy);
@@ -26,7 +26,7 @@ TEST(FramePacer, WaitsLongWhereNothingHappens) {
 }
 
 TEST(FramePacer, DrawsAFewFramesAtOnceAfterAnEvent) {
-  const auto now = FramePacer::Clock::now();
+  const auto now = Clock::now();
   FramePacer pacer = rested(now);
   pacer.waited(FramePacer::idle, 0.1); // woken before the time
   int eager = 0;
@@ -39,7 +39,7 @@ TEST(FramePacer, DrawsAFewFramesAtOnceAfterAnEvent) {
 }
 
 TEST(FramePacer, KeepsToItsFastestPace) {
-  const auto now = FramePacer::Clock::now();
+  const auto now = Clock::now();
   FramePacer pacer;
   pacer.drawn(now - milliseconds(9), now);
   EXPECT_NEAR(pacer.patience(false, now), FramePacer::fastest - 0.009, 1e-9) << "drawing counts";

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lightcuts/core/cut/stochastic_cut.h>
+#include <oracle/properties/cut_answer.h>
 #include <oracle/properties/judge.h>
 
 #include <tests/viz/support/counterexample_file.h>
@@ -216,7 +217,7 @@ TEST(Inspect, OfACounterexampleIsTheSubjectsCutAtItsPoint) {
   const auto tree = oracle::subject_named(broken_cut)->build(c.on.light_set(), c.on.seed);
   const auto library = oracle::subject_named("lightcuts")->build(c.on.light_set(), c.on.seed);
   bool differs = false;
-  for (CutConfig cut : oracle::cuts_of(c.on)) {
+  for (CutConfig cut : oracle::cuts_of(c.on.cut, c.on.lights.size())) {
     ShadingSettings settings;
     settings.threshold = cut.threshold;
     settings.max_cut = cut.max_size;
