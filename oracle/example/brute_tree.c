@@ -514,6 +514,16 @@ static void refine(tree* t, cut* c, const lightcuts_point* p,
   }
 }
 
+/// Why refinement ended where all clusters obey: whether one of them needed the black level.
+static uint32_t end_of(const cut* c, const lightcuts_cut_config* config) {
+  double total[3];
+  sum(c, total);
+  for (uint32_t k = 0; k < c->size; ++k)
+    for (int i = 0; i < 3; ++i)
+      if (c->clusters[k].bound[i] > config->threshold * total[i]) return LIGHTCUTS_END_BLACK_LEVEL;
+  return LIGHTCUTS_END_CONVERGED;
+}
+
 /// Writes what was found. The error is at most the sum of the bounds, and the rounding of all
 /// estimates and sums, for which 2^-23 is plenty.
 static void finish(const cut* c, uint32_t end, lightcuts_cut* out) {
@@ -544,15 +554,13 @@ static int select_cut(void* of, const lightcuts_point* p, const lightcuts_cut_co
   const cluster root = evaluated(t, 0, p, visibility);
   push(&c, &root);
   sum(&c, c.total);
-  uint32_t end = LIGHTCUTS_END_CONVERGED;
+  int full = 0;
   while (key(&c.clusters[0]) > 0 && !all_obey(&c, config)) {
-    if (c.size >= config->max_size) {
-      end = LIGHTCUTS_END_MAX_SIZE;
-      break;
-    }
+    full = c.size >= config->max_size;
+    if (full) break;
     refine(t, &c, p, visibility);
   }
-  finish(&c, end, out);
+  finish(&c, full ? LIGHTCUTS_END_MAX_SIZE : end_of(&c, config), out);
   free(c.clusters);
   return 0;
 }

@@ -31,9 +31,13 @@ const char* name_of(Part part) {
   case Part::pictures:
     return "pictures";
   case Part::random_cuts:
+    return "random cuts";
+  case Part::greedy_tree:
+    return "greedy tree";
+  case Part::library_rules:
     break;
   }
-  return "random cuts";
+  return "rules of the library";
 }
 
 std::vector<std::string> names_without(Parts parts) {

@@ -222,5 +222,17 @@ TEST(SimplerCases, LeaveOneOfTwoLightsToChooseFrom) {
   EXPECT_THAT(left, ElementsAre(0, 1));
 }
 
+TEST(RandomCase, SaysThatNothingOccludesInSomeThatHideNothing) {
+  int unoccluded = 0;
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    const Case on = random_case(1, i);
+    if (!on.cut.unoccluded) continue;
+    ++unoccluded;
+    EXPECT_TRUE(on.triangles.empty());
+    for (const CaseView& view : on.views) EXPECT_TRUE(view.hidden.empty());
+  }
+  EXPECT_GT(unoccluded, 50);
+}
+
 } // namespace
 } // namespace lightcuts::oracle

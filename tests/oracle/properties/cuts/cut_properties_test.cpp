@@ -235,5 +235,91 @@ TEST(CutProperties, AskForExactnessOnlyWhereItIsPromised) {
   EXPECT_THAT(spoilt.violated(), Not(Contains(exact)));
 }
 
+// All clusters within the threshold, with no help of the black level.
+constexpr CutConfig easily_converged{100, 1000};
+// Nothing but the black level lets the root pass.
+constexpr CutConfig black_enough{0, 1000, 1e30F};
+
+TEST(CutProperties, ConvictAnEndByABlackLevelThatNoClusterNeeds) {
+  CutToSpoil spoilt(easily_converged);
+  ASSERT_EQ(spoilt.cut.end, CutEnd::converged);
+  EXPECT_THAT(spoilt.violated(), IsEmpty());
+  spoilt.cut.end = CutEnd::black_level;
+  EXPECT_THAT(spoilt.violated(), ElementsAre(obeys));
+}
+
+TEST(CutProperties, ConvictAConvergedCutThatNeedsTheBlackLevel) {
+  CutToSpoil spoilt(black_enough);
+  ASSERT_EQ(spoilt.cut.end, CutEnd::black_level);
+  EXPECT_THAT(spoilt.violated(), IsEmpty());
+  spoilt.cut.end = CutEnd::converged;
+  EXPECT_THAT(spoilt.violated(), ElementsAre(obeys));
+}
+
+TEST(CutProperties, ConvictALargestSizeThatNothingWaitedFor) {
+  for (CutConfig config : {easily_converged, black_enough}) {
+    config.max_size = 1;
+    CutToSpoil spoilt(config);
+    EXPECT_THAT(spoilt.violated(), IsEmpty());
+    spoilt.cut.end = CutEnd::max_size;
+    EXPECT_THAT(spoilt.violated(), ElementsAre(obeys));
+  }
+}
+
+/// Two leaves of two lights each, bounded by what is far too much.
+class TwoLeaves : public SubjectTree {
+public:
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<TwoLeaves>(*this);
+  }
+  [[nodiscard]] TreeClaim claim() const override {
+    TreeClaim claim;
+    claim.nodes = {{.first_child = 0, .child_count = 2},
+                   {.first_light = 0, .light_count = 2},
+                   {.first_light = 2, .light_count = 2}};
+    claim.children = {1, 2};
+    claim.lights = {0, 1, 2, 3};
+    return claim;
+  }
+  glm::vec3 bound(std::uint32_t, const ShadingPoint&) override { return glm::vec3(1e9F); }
+};
+
+/// What is wrong with a cut of both leaves whose first estimate is so many times the truth.
+Tally cut_of_leaves(double factor, float threshold) {
+  const LightSet lights = four_lights().lights();
+  TwoLeaves tree;
+  const Topology topology = read_topology(tree.claim(), lights.size()).topology.value();
+  const ShadingPoint point = diffuse_point();
+  const std::vector<char> visible{1, 0, 1, 1};
+  Truth truth;
+  truth.evaluate(topology, lights, point, visible);
+  std::vector<CutCluster> clusters(2);
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    const Wide& truth_of_leaf = truth.seen(i + 1);
+    clusters[i].node = i + 1;
+    clusters[i].estimate = glm::dvec3(truth_of_leaf[0], truth_of_leaf[1], truth_of_leaf[2]);
+  }
+  clusters[0].estimate *= factor;
+  Cut cut;
+  cut.end = CutEnd::converged;
+  cut.clusters = clusters;
+  Tally tally;
+  const CutConfig config{threshold, 1000};
+  constexpr Parts parts = only(Part::cuts) | only(Part::bounds);
+  Judge(parts, 0, tally, obeys).cut({{tree, parts}, {0, point, visible, truth}}, config, cut);
+  return tally;
+}
+
+TEST(LeavesOfSeveralLights, ObeyWhereTheirEstimateDoesWhateverTheirBound) {
+  EXPECT_THAT(violated(cut_of_leaves(1, 0)), IsEmpty());
+  EXPECT_THAT(violated(cut_of_leaves(1 + 0x1p-25, 0)), IsEmpty());
+  EXPECT_THAT(violated(cut_of_leaves(1.01, 0.02F)), IsEmpty());
+}
+
+TEST(LeavesOfSeveralLights, AreConvictedWhereTheirEstimateIsOffByMoreThanTheThreshold) {
+  EXPECT_THAT(violated(cut_of_leaves(1.01, 0)), ElementsAre(obeys));
+  EXPECT_THAT(violated(cut_of_leaves(2, 0.02F)), ElementsAre(obeys));
+}
+
 } // namespace
 } // namespace lightcuts::oracle

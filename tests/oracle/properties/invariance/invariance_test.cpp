@@ -211,5 +211,24 @@ TEST(Invariance, AsksForPartsThatThereAreOnly) {
   EXPECT_THAT(violated(judged(without_cuts, three_lights())), IsEmpty());
 }
 
+// A turned box is another bound, and as right.
+TEST(Invariance, IsAPromiseOfThisLibraryAloneAndAWasteOfOthers) {
+  const Bend bent = [](float value, const LightSet&, const ShadingPoint& point) {
+    return value * (1 + std::abs(point.normal().z));
+  };
+  const auto with = [&](Parts parts) {
+    return judged(
+        MadeSubject([&](LightTree tree) { return std::make_unique<Bent>(tree, bent, Bend{}); },
+                    parts),
+        three_lights());
+  };
+  const Tally ours = with(library_parts), others = with(library_parts & ~only(Part::library_rules));
+  EXPECT_EQ(ours.violations(), 1U);
+  EXPECT_EQ(ours.wasteful(), 0U);
+  EXPECT_EQ(others.violations(), 0U);
+  EXPECT_EQ(others.wasteful(), 1U);
+  EXPECT_THAT(broken(others), ElementsAre(Property::rotation_is_immaterial));
+}
+
 } // namespace
 } // namespace lightcuts::oracle

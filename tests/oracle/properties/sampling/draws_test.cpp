@@ -599,5 +599,25 @@ TEST(SamplingMutants, AreConvictedOfWhatIsWrong) {
   }
 }
 
+// As plug-ins are: sample() and probability(), and no more.
+TEST_F(FourLights, AreDrawnAsOftenAsTheirProbabilitiesSayWithoutRandomCuts) {
+  constexpr Parts single = library_parts | only(Part::sampling);
+  const auto of = [&](MadeDraws tree) {
+    return judged_at(
+        tree, judged,
+        [&](const Judge& judge, const PointAnswers& answers) {
+          judge.draws(answers, cut_of(3), {});
+        },
+        single);
+  };
+  const Tally right = of(with({}));
+  EXPECT_THAT(violated(right), IsEmpty());
+  // Of the root and of its children.
+  EXPECT_EQ(right[Property::draws_follow_probabilities].cases, 4U + 2 + 2);
+  EXPECT_EQ(right[Property::stochastic_is_unbiased].cases, 0U);
+  const Tally bent = of(with({.number = [](double u) { return u * u; }}));
+  EXPECT_THAT(violated(bent), ElementsAre(Property::draws_follow_probabilities));
+}
+
 } // namespace
 } // namespace lightcuts::oracle

@@ -101,5 +101,42 @@ TEST(Probabilities, ConvictNumbersThatAreNone) {
   }
 }
 
+TEST(Probabilities, MayRoundOnEachLevel) {
+  EXPECT_THAT(violated(judged_sampling([](UniformSampling& tree) {
+                tree.redraw = [](DrawnLight drawn) {
+                  if (drawn.probability < 1)
+                    drawn.probability = std::nextafter(drawn.probability, 0);
+                  return drawn;
+                };
+              })),
+              IsEmpty());
+}
+
+/// Draws what is in no cluster by one number.
+class WrongByOneNumber : public UniformSampling {
+public:
+  WrongByOneNumber(const LightTree& tree, double number) : UniformSampling(tree), number_(number) {}
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
+    if (u == number_) return {99, 0.25};
+    return UniformSampling::sample(node, point, u);
+  }
+
+private:
+  double number_;
+};
+
+TEST(Probabilities, ConvictWhatIsDrawnByTheEndsOfRandomNumbersAndAtBorders) {
+  const JudgedPoint judged(four_lights(), diffuse_point(), {1, 1, 1, 1});
+  for (const double number : {0.0, 1 - 0x1p-53, 0.5, 0.5 - 0x1p-54}) {
+    WrongByOneNumber tree(judged.tree, number);
+    EXPECT_THAT(
+        violated(judged_at(
+            tree, judged, [](const Judge& judge, const PointAnswers& of) { judge.odds(of); },
+            library_parts | only(Part::sampling))),
+        ElementsAre(Property::draws_state_their_probability))
+        << number;
+  }
+}
+
 } // namespace
 } // namespace lightcuts::oracle
