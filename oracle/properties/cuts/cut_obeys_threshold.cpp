@@ -63,11 +63,22 @@ struct WorstCluster {
   }
 };
 
+/// By how many clusters the cut may grow where one is refined, 1 at least: a node may have any
+/// number of children, so that the next cut may be too large before this one has the largest size.
+std::size_t largest_step(const CutAnswer& of) {
+  std::size_t children = 2;
+  for (const CutCluster& c : of.cut.clusters)
+    if (c.node < of.point.topology().size())
+      children = std::max(children, of.point.topology().children(c.node).size());
+  return children - 1;
+}
+
 /// What is wrong with the reason that is given for the end, if anything.
 std::string wrong_end(const CutAnswer& of, const WorstCluster& worst) {
   switch (of.cut.end) {
   case CutEnd::max_size:
-    if (of.cut.clusters.size() < of.config.max_size) return "ended by its largest size before that";
+    if (of.cut.clusters.size() + largest_step(of) <= of.config.max_size)
+      return "ended by its largest size before that";
     return worst.needs_more ? "" : "ended by its largest size, though all clusters obey";
   case CutEnd::black_level:
     return worst.needs_black_level ? "" : "ended by the black level, which no cluster needs";

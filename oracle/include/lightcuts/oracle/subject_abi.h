@@ -119,7 +119,7 @@ typedef struct lightcuts_cut_config {
 enum {
   LIGHTCUTS_END_CONVERGED = 0,   ///< every bound obeys the threshold
   LIGHTCUTS_END_BLACK_LEVEL = 1, ///< or is at most black_level, and one needed that
-  LIGHTCUTS_END_MAX_SIZE = 2     ///< the largest size was reached first
+  LIGHTCUTS_END_MAX_SIZE = 2     ///< refining another cluster would exceed the largest size
 };
 
 /// One cluster of a cut.

@@ -266,48 +266,55 @@ TEST(CutProperties, ConvictALargestSizeThatNothingWaitedFor) {
   }
 }
 
-/// Two leaves of two lights each, bounded by what is far too much.
-class TwoLeaves : public SubjectTree {
+/// A root with so many leaves, which share four lights, bounded by what is far too much.
+class EvenLeaves : public SubjectTree {
 public:
+  explicit EvenLeaves(std::uint32_t leaves) {
+    claim_.nodes = {{.first_child = 0, .child_count = leaves}};
+    for (std::uint32_t i = 0; i < leaves; ++i) {
+      claim_.nodes.push_back({.first_light = i * (4 / leaves), .light_count = 4 / leaves});
+      claim_.children.push_back(i + 1);
+    }
+    claim_.lights = {0, 1, 2, 3};
+  }
   [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<TwoLeaves>(*this);
+    return std::make_unique<EvenLeaves>(*this);
   }
-  [[nodiscard]] TreeClaim claim() const override {
-    TreeClaim claim;
-    claim.nodes = {{.first_child = 0, .child_count = 2},
-                   {.first_light = 0, .light_count = 2},
-                   {.first_light = 2, .light_count = 2}};
-    claim.children = {1, 2};
-    claim.lights = {0, 1, 2, 3};
-    return claim;
-  }
+  [[nodiscard]] TreeClaim claim() const override { return claim_; }
   glm::vec3 bound(std::uint32_t, const ShadingPoint&) override { return glm::vec3(1e9F); }
+
+private:
+  TreeClaim claim_;
 };
 
-/// What is wrong with a cut of both leaves whose first estimate is so many times the truth.
-Tally cut_of_leaves(double factor, float threshold) {
+/// What is wrong with a cut of these nodes whose first estimate is so many times the truth.
+Tally cut_of(EvenLeaves tree, const std::vector<std::uint32_t>& nodes, double factor,
+             const CutConfig& config, CutEnd end) {
   const LightSet lights = four_lights().lights();
-  TwoLeaves tree;
   const Topology topology = read_topology(tree.claim(), lights.size()).topology.value();
   const ShadingPoint point = diffuse_point();
   const std::vector<char> visible{1, 0, 1, 1};
   Truth truth;
   truth.evaluate(topology, lights, point, visible);
-  std::vector<CutCluster> clusters(2);
-  for (std::uint32_t i = 0; i < 2; ++i) {
-    const Wide& truth_of_leaf = truth.seen(i + 1);
-    clusters[i].node = i + 1;
-    clusters[i].estimate = glm::dvec3(truth_of_leaf[0], truth_of_leaf[1], truth_of_leaf[2]);
+  std::vector<CutCluster> clusters(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Wide& exact_one = truth.seen(nodes[i]);
+    clusters[i].node = nodes[i];
+    clusters[i].estimate = glm::dvec3(exact_one[0], exact_one[1], exact_one[2]);
   }
   clusters[0].estimate *= factor;
   Cut cut;
-  cut.end = CutEnd::converged;
+  cut.end = end;
   cut.clusters = clusters;
   Tally tally;
-  const CutConfig config{threshold, 1000};
   constexpr Parts parts = only(Part::cuts) | only(Part::bounds);
   Judge(parts, 0, tally, obeys).cut({{tree, parts}, {0, point, visible, truth}}, config, cut);
   return tally;
+}
+
+/// Of two leaves.
+Tally cut_of_leaves(double factor, float threshold) {
+  return cut_of(EvenLeaves(2), {1, 2}, factor, {threshold, 1000}, CutEnd::converged);
 }
 
 TEST(LeavesOfSeveralLights, ObeyWhereTheirEstimateDoesWhateverTheirBound) {
@@ -319,6 +326,17 @@ TEST(LeavesOfSeveralLights, ObeyWhereTheirEstimateDoesWhateverTheirBound) {
 TEST(LeavesOfSeveralLights, AreConvictedWhereTheirEstimateIsOffByMoreThanTheThreshold) {
   EXPECT_THAT(violated(cut_of_leaves(1.01, 0)), ElementsAre(obeys));
   EXPECT_THAT(violated(cut_of_leaves(2, 0.02F)), ElementsAre(obeys));
+}
+
+TEST(NodesOfManyChildren, EndACutThatTheyWouldMakeTooLarge) {
+  const auto root_of = [](std::uint32_t leaves, std::uint32_t max_size) {
+    return violated(cut_of(EvenLeaves(leaves), {0}, 1, {0.02F, max_size}, CutEnd::max_size));
+  };
+  EXPECT_THAT(root_of(4, 1), IsEmpty());
+  EXPECT_THAT(root_of(4, 3), IsEmpty());
+  EXPECT_THAT(root_of(4, 4), ElementsAre(obeys));
+  EXPECT_THAT(root_of(2, 1), IsEmpty());
+  EXPECT_THAT(root_of(2, 2), ElementsAre(obeys));
 }
 
 } // namespace
