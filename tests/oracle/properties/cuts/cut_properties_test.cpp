@@ -215,6 +215,7 @@ TEST(CutProperties, AllowBoundsUpToTheBlackLevel) {
   CutToSpoil spoilt({1.0F, 1000});
   spoilt.config.threshold = 0;
   spoilt.config.black_level = 1e6F;
+  spoilt.cut.end = CutEnd::black_level;
   EXPECT_THAT(spoilt.violated(), IsEmpty());
   spoilt.config.black_level = 1e-6F;
   EXPECT_THAT(spoilt.violated(), Contains(obeys));
