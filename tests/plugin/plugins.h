@@ -26,6 +26,12 @@ inline std::unique_ptr<Subject> plugin(const std::string& name) {
   return plugin_subject(plugin_file(name), {.time_limit = patience(name), .host = {}});
 }
 
+/// The library of oracle/example/NAME.c.
+inline std::unique_ptr<Subject> example(const std::string& name) {
+  return plugin_subject(std::filesystem::path(LIGHTCUTS_EXAMPLES) / ("lib" + name + ".so"),
+                        {.time_limit = 60, .host = {}});
+}
+
 inline std::unique_ptr<Subject> brute_tree() { return plugin_subject(LIGHTCUTS_BRUTE_TREE); }
 
 } // namespace lightcuts::oracle

@@ -11,7 +11,7 @@
 ///   cc -shared -fPIC -std=c99 -O2 -I oracle/include mytree.c -o libmytree.so -lm
 ///   lightcuts-oracle check desk --subject ./libmytree.so
 ///
-/// oracle/example/brute_tree.c is a complete one.
+/// oracle/example has some to start from; bounds_only.c is the shortest.
 ///
 /// What holds for all functions:
 /// - They run in a process of their own, one at a time. Crashing, exiting, hanging (10 s for each
