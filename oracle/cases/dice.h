@@ -18,6 +18,9 @@ class Dice {
 public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}
 
+  /// Other dice, whose numbers these will not roll; these stay as they are.
+  [[nodiscard]] Dice aside() const { return Dice(~splitmix64(state_)); }
+
   std::uint64_t bits() { return splitmix64(state_++); }
   int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
   bool one_in(int n) { return below(n) == 0; }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <ostream>
 
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <oracle/cases/dice.h>
 #include <oracle/records/record_literal.h>
 #include <oracle/records/record_text.h>
@@ -146,7 +148,89 @@ View random_view(Dice& dice, const Choice& choice) {
   return view;
 }
 
+float random_clamp(Dice& dice) {
+  return dice.one_in(2) ? dice.pick({1.0F, 0.5F, 2.0F})
+                        : std::max(std::abs(dice.log_uniform(-6, 6)), 0x1p-149F);
+}
+
+/// A surface whose normal is an axis, or lies midway between two, but for tiny parts: directions as
+/// close to its horizon as floats can say.
+class Horizon {
+public:
+  explicit Horizon(Dice& dice) {
+    const int first = dice.below(3), second = (first + dice.between(1, 2)) % 3;
+    up_[first] = dice.sign();
+    along_[second] = 1;
+    aside_ = glm::cross(up_, along_);
+    if (dice.one_in(4)) {
+      const glm::dvec3 half = std::sqrt(0.5) * up_;
+      up_ = half + std::sqrt(0.5) * along_;
+      along_ = half - std::sqrt(0.5) * along_;
+    }
+    const double a = tiny(dice), b = tiny(dice);
+    normal_ = glm::vec3(up_ + a * along_ + b * aside_);
+  }
+
+  [[nodiscard]] const glm::vec3& normal() const { return normal_; }
+  /// sine is that of the angle above the horizon.
+  [[nodiscard]] glm::dvec3 direction(const glm::dvec2& azimuth, double sine) const {
+    return std::sqrt(1 - sine * sine) * (azimuth.x * along_ + azimuth.y * aside_) + sine * up_;
+  }
+
+private:
+  static double tiny(Dice& dice) {
+    if (dice.one_in(2)) return 0;
+    return dice.one_in(2) ? dice.subnormal() : dice.log_uniform(-45, -7);
+  }
+
+  glm::dvec3 up_{0}, along_{0}, aside_{0};
+  glm::vec3 normal_;
+};
+
+/// In [1, 2) 2^exponent.
+double of_scale(Dice& dice, int exponent) { return std::ldexp(dice.uniform(1, 2), exponent); }
+
+glm::dvec2 unit(const glm::dvec2& v) { return v / std::sqrt(v.x * v.x + v.y * v.y); }
+
+glm::dvec2 random_azimuth(Dice& dice) {
+  if (dice.one_in(2)) return {1, 0}; // what is aside of it may then be as small as floats are
+  return unit(
+      {dice.uniform(-1, 1), dice.one_in(2) ? dice.uniform(-1, 1) : dice.log_uniform(-9, 0)});
+}
+
 } // namespace
+
+Scene make_grazing_scene(Dice& dice, int count, const Choice& choice) {
+  Scene scene;
+  View& view = scene.view;
+  view = random_view(dice, choice);
+  if (dice.one_in(2)) view.position = glm::vec3(0);
+  const Horizon horizon(dice);
+  const glm::dvec2 azimuth = random_azimuth(dice);
+  const double sine = of_scale(dice, -dice.between(2, 149));
+  view.normal = horizon.normal();
+  view.to_viewer = glm::vec3(horizon.direction(azimuth, sine));
+  const int brightness = dice.below(6);
+  for (int i = 0; i < count; ++i) {
+    Light light;
+    light.kind = choice.kind ? *choice.kind : LightKind(dice.below(light_kind_count));
+    // Turned by what the tangent of h makes of it, for lobes of all widths.
+    const double turn = dice.one_in(3) ? 0 : sine * of_scale(dice, dice.between(-18, 4));
+    const double higher = dice.one_in(3) ? of_scale(dice, dice.between(-8, 1)) : 1;
+    const glm::dvec2 back{-azimuth.x - turn * azimuth.y, turn * azimuth.x - azimuth.y};
+    const glm::dvec3 l = horizon.direction(unit(back), std::min(higher * sine, 0.5));
+    const double distance = std::ldexp(1.0, dice.between(-20, 20));
+    light.position = finite(glm::dvec3(view.position) + distance * l);
+    light.intensity = intensity(dice, brightness);
+    oracle::radiometry::with_kind(light.kind,
+                                  [&](auto truth) { truth.finish(dice, light, view.position); });
+    if (oracle::radiometry::is_far(light.kind)) light.position = glm::vec3(l);
+    if (dice.one_in(4)) light.position = next_to(dice, light.position);
+    scene.lights.push_back(light);
+  }
+  if (choice.clamped ? *choice.clamped : dice.one_in(4)) scene.min_distance = random_clamp(dice);
+  return scene;
+}
 
 Scene make_scene(Dice& dice, int count, const Choice& choice) {
   Scene scene;
@@ -169,9 +253,7 @@ Scene make_scene(Dice& dice, int count, const Choice& choice) {
     scene.lights.push_back(light);
   }
   if (dice.one_in(4)) scene.view.position = amid_lights(dice, scene.lights);
-  if (choice.clamped ? *choice.clamped : dice.one_in(4))
-    scene.min_distance = dice.one_in(2) ? dice.pick({1.0F, 0.5F, 2.0F})
-                                        : std::max(std::abs(dice.log_uniform(-6, 6)), 0x1p-149F);
+  if (choice.clamped ? *choice.clamped : dice.one_in(4)) scene.min_distance = random_clamp(dice);
   return scene;
 }
 

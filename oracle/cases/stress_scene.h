@@ -54,6 +54,10 @@ struct Choice {
 };
 
 [[nodiscard]] Scene make_scene(Dice& dice, int count, const Choice& choice = {});
+/// A surface seen along itself, under an angle of any scale down to the least that floats have, and
+/// lights where it mirrors the viewer, to the last bit or nearly: l and v cancel but for their
+/// parts along the normal.
+[[nodiscard]] Scene make_grazing_scene(Dice& dice, int count, const Choice& choice = {});
 /// Another view of such lights: often at one of them, or on faces of their boxes.
 [[nodiscard]] View make_view(Dice& dice, const std::vector<Light>& lights,
                              const Choice& choice = {});

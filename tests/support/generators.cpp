@@ -81,10 +81,11 @@ rc::Gen<glm::vec3> unit_vector() {
 
 namespace {
 
-rc::Gen<Scene> scene_from(const Choice& choice, int max_lights) {
-  return shrinking<Scene>([choice, max_lights](Dice& dice, int size) {
+rc::Gen<Scene> scene_from(const Choice& choice, int max_lights,
+                          Scene (*make)(Dice&, int, const Choice&) = make_scene) {
+  return shrinking<Scene>([choice, max_lights, make](Dice& dice, int size) {
     const int count = dice.between(1, 1 + (max_lights - 1) * std::min(size, 100) / 100);
-    return make_scene(dice, count, choice);
+    return make(dice, count, choice);
   });
 }
 
@@ -99,6 +100,10 @@ rc::Gen<Scene> plain_scene(int max_lights) {
 
 rc::Gen<Scene> scene_of(LightKind kind, std::size_t lobe, bool clamped, int max_lights) {
   return scene_from({kind, lobe, clamped}, max_lights);
+}
+
+rc::Gen<Scene> grazing_scene(const Choice& choice, int max_lights) {
+  return scene_from(choice, max_lights, make_grazing_scene);
 }
 
 rc::Gen<BoxView> box_view() {

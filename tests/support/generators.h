@@ -32,6 +32,9 @@ rc::Gen<Scene> scene(int max_lights = 24);
 rc::Gen<Scene> plain_scene(int max_lights = 24);
 /// Scenes of one kind of light and one kind of lobe (its index in Lobe).
 rc::Gen<Scene> scene_of(LightKind kind, std::size_t lobe, bool clamped, int max_lights = 24);
+/// 1 to max_lights lights of all kinds, mirrored at a surface that is seen along itself; see
+/// make_grazing_scene().
+rc::Gen<Scene> grazing_scene(const Choice& choice = {}, int max_lights = 8);
 rc::Gen<BoxView> box_view();
 
 /// What `make` makes of dice, not shrunk: for operands of a few numbers.
