@@ -22,9 +22,13 @@ using Exact = boost::multiprecision::number<
 /// RGB in long double: what is exact to within truth_error.
 using Wide = std::array<long double, 3>;
 
-/// Relative error of contribution(), of every sum of contributions, and of nothing else: the power
-/// of a cosine (2^20 times its error of a few ulps) dominates.
-inline constexpr long double truth_error = 0x1p23L * std::numeric_limits<long double>::epsilon();
+/// Relative error of contribution(), of every sum of contributions, and of nothing else. Mostly
+/// that of lobes at their sharpest, in roundings of 2^-64 = epsilon/2:
+///   Phong's power, 2^20 times the cosine's 26 of them, or the logarithm of what is left, 2^13.5,
+///     over a cosine above 2^-10 and its logarithm: 2^25.3;
+///   Ward's e^-(T/alpha)^2, 2 T/alpha 1/alpha times the tangent's 50 of them, with 1/alpha at most
+///     2^14 and T/alpha 2^6.7: 2^27.4.
+inline constexpr long double truth_error = 0x1p27L * std::numeric_limits<long double>::epsilon();
 
 /// Unoccluded radiance that the light sends to the viewer of `point`, written anew from the
 /// definitions (Light, LightKind, Material and its lobes) in long double, with a dot product that

@@ -21,7 +21,9 @@ struct Way {
   Real distance2, distance, n_dot_l;
 
   Way(const ShadingPoint& p, const Light& light)
-      : point(p), from(is_far(light.kind) ? glm::vec3(0) : p.position()), to(light.position) {
+      : Way(p, is_far(light.kind) ? glm::vec3(0) : p.position(), light.position) {}
+  Way(const ShadingPoint& p, const glm::vec3& start, const glm::vec3& end)
+      : point(p), from(start), to(end) {
     using std::sqrt;
     for (int i = 0; i < 3; ++i) q[std::size_t(i)] = Real(to[i]) - Real(from[i]);
     distance2 = dot(q, q);
@@ -31,6 +33,8 @@ struct Way {
   [[nodiscard]] Real cosine_with(const glm::vec3& u) const {
     return dot_between<Real>(u, from, to) / (length<Real>(u) * distance);
   }
+  /// It in 700 bits: for what cancels too many digits of Real.
+  [[nodiscard]] Way<Exact> exact() const { return {point, from, to}; }
 };
 
 /// n.v.

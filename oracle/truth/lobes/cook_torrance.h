@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include <oracle/truth/lobes/half_vector.h>
 
@@ -73,7 +74,8 @@ struct LobeTruth<CookTorrance> : UsualLobe {
   };
 
 private:
-  /// (1 - v.h)^5 with v.h = cos(half the angle between l and v).
+  /// (1 - v.h)^5 with v.h = cos(half the angle between l and v); in 700 bits where that angle is
+  /// all but a right one, since the root of what is left of 1 + l.v magnifies its error.
   template <class Real>
   static Real schlick(const Way<Real>& way) {
     using std::sqrt;
@@ -87,6 +89,8 @@ private:
     // 1 - cos without cancellation where the angle is acute.
     const Real versine = cosine > 0 ? Real(sine2 / (1 + cosine)) : Real(1 - cosine);
     const Real rest = versine > 2 ? Real(0) : Real(1 - versine / 2); // (v.h)^2
+    if constexpr (!std::is_same_v<Real, Exact>)
+      if (rest < Real(0x1p-20)) return Real(schlick(way.exact()));
     const Real w = (versine / 2) / (1 + sqrt(rest));
     return w * w * w * w * w;
   }

@@ -119,6 +119,61 @@ TEST(Truth, IsAccurateAtTheLargestExponent) {
   expect_agreement(omni({0.05F, 0.01F, 1}, glm::vec3(1)), point); // 10^-592
 }
 
+/// A light that mirrors the viewer at the plane y = 0, both at this height: of so few bits that it
+/// can be exactly three times as far.
+struct MirrorImages {
+  ShadingPoint point;
+  Light light;
+
+  MirrorImages(float height, const Lobe& lobe)
+      : point(glm::vec3(0), {0, 1, 0}, viewer(height), {glm::vec3(0), lobe}),
+        light(omni({-3 * viewer(height).x, 3 * height, -3 * viewer(height).z}, glm::vec3(1))) {}
+
+private:
+  static glm::vec3 viewer(float height) {
+    const double z = std::sqrt(1 - 0.25 * 0.25 - double(height) * height);
+    return {0.25F, height, std::round(z * 0x1p20) * 0x1p-20};
+  }
+};
+
+long double length_of(const glm::vec3& v) {
+  return std::sqrt(static_cast<long double>(v.x) * v.x + static_cast<long double>(v.y) * v.y +
+                   static_cast<long double>(v.z) * v.z);
+}
+
+// h is the normal: nothing is left of Ward's exponential and of D's tangent.
+TEST(Truth, IsThatOfTheNormalBetweenMirrorImagesAtAnyHeight) {
+  const long double pi = std::acos(-1.0L), alpha = 0x1p-14L;
+  for (int e = 1; e <= 149; ++e) {
+    const float height = std::ldexp(1.0F, -e);
+    const MirrorImages ward(height, Ward{glm::vec3(1), 0x1p-14F});
+    const MirrorImages facets(height, CookTorrance{glm::vec3(1), 0x1p-14F});
+    const long double length = length_of(ward.point.to_viewer());
+    const long double cosine = height / length, square = 9 * length * length;
+    const long double of_ward = 1 / (4 * pi * alpha * alpha) / square;
+    const long double masked = std::sqrt(alpha * alpha + (1 - alpha * alpha) * cosine * cosine);
+    const long double of_facets = 1 / (pi * alpha * alpha) / (4 * masked) / square;
+    const auto check = [&](const MirrorImages& images, long double expected) {
+      const long double most = expected * 0x1p-50L;
+      EXPECT_LE(std::abs(contribution(images.light, images.point, 0)[0] - expected), most) << e;
+      const Exact exact = exact_contribution(images.light, images.point, 0, 0);
+      EXPECT_LE(abs(exact - Exact(expected)), Exact(most)) << e;
+    };
+    check(ward, of_ward);
+    check(facets, of_facets);
+  }
+}
+
+RC_GTEST_PROP(Truth, InLongDoubleIsWithinItsErrorNearTheHorizon, ()) {
+  const gen::Scene scene = *gen::grazing_scene();
+  const ShadingPoint point = scene.view.point();
+  for (const Light& light : scene.lights) {
+    const Wide value = contribution(light, point, scene.min_distance);
+    for (int c = 0; c < 3; ++c)
+      RC_ASSERT(agrees(value[c], exact_contribution(light, point, scene.min_distance, c)));
+  }
+}
+
 TEST(Truth, HasNoContributionFromBehindOrFromThePointItself) {
   for (const glm::vec3& y : {glm::vec3(1, 0, -1), glm::vec3(1, 2, 0), glm::vec3(0)}) {
     EXPECT_EQ(contribution(omni(y, glm::vec3(1)), diffuse_point(), 0), Wide{});
