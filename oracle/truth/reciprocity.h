@@ -16,7 +16,7 @@ struct BothWays {
 };
 
 /// Evaluates the material both ways; n, l and v are unit vectors, l and v above the surface.
-/// allowed: transfer_error of each, what is below its domain, 10^-150, and what the lobe
+/// allowed: transfer_error of each, what is below its domain, and what the lobe
 /// loses to the rounding of its inputs.
 [[nodiscard]] inline BothWays both_ways(const Material& material, const glm::vec3& n,
                                         const glm::vec3& l, const glm::vec3& v) {
@@ -35,7 +35,7 @@ struct BothWays {
       },
       material.lobe);
   // The cosine that is multiplied here has an error of dot_error and a few roundings.
-  ways.allowed += (ways.there + ways.back) * (transfer_error + 2 * dot_error) + 1e-150;
+  ways.allowed += (ways.there + ways.back) * (transfer_error + 2 * dot_error) + least_transfer;
   return ways;
 }
 

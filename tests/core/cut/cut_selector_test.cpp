@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/core/cut/cut_selector.h>
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -21,6 +23,37 @@ constexpr float inf = std::numeric_limits<float>::infinity();
 const auto everything = [](std::uint32_t) { return true; };
 
 RC_GTEST_PROP(CutSelector, KeepsEveryPromise, ()) { RC_ASSERT(broken_promise(*cut_case()) == ""); }
+
+/// Viewer and light mirror each other at a surface that they all but lie in.
+struct Glancing {
+  Lobe lobe;
+  int exponent; ///< n.v = 2^-exponent
+  double radiance;
+};
+constexpr const char* names_of_lobes[] = {"none", "Phong", "Ward", "Cook-Torrance"};
+
+TEST(CutSelector, CertifiesWhatMirrorImagesSendNearTheHorizon) {
+  const Glancing rows[] = {
+      {Ward{glm::vec3(1), 0.1F}, 39, 1.98943679},
+      {Ward{glm::vec3(1), 0x1p-14F}, 28, 5340353.88},
+      {CookTorrance{glm::vec3(0), 0.01F}, 34, 19894.36963},
+      {CookTorrance{glm::vec3(0), 0x1p-14F}, 28, 8.74963523e10},
+  };
+  for (const auto& [lobe, first, radiance] : rows)
+    for (const int exponent : {first, 50, 100, 149})
+      for (const float x : {0.3F, 0.45F, 0.6F}) {
+        const glm::vec3 v(x, std::ldexp(1.0F, -exponent), std::sqrt(1 - x * x));
+        const ShadingPoint point(glm::vec3(0), {0, 1, 0}, v, {glm::vec3(0), lobe});
+        LightSet lights;
+        lights.add_omni({-2 * v.x, 2 * v.y, -2 * v.z}, glm::vec3(1));
+        const LightTree tree = build(lights);
+        const Cut cut = CutSelector(tree)(point, everything);
+        const Quad exact = precise::contribution(point, lights[0])[0];
+        EXPECT_NEAR(double(exact), radiance, 1e-6 * radiance);
+        EXPECT_LE(abs(Quad(cut.radiance.x) - exact), Quad(cut.certified_error.x))
+            << names_of_lobes[lobe.index()] << ", n.v = 2^-" << exponent << ", x = " << x;
+      }
+}
 
 struct InvertedHeap : StoppingRule {
   static bool refined_before(double key, double other) { return key < other; }

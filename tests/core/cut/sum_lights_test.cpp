@@ -22,11 +22,11 @@ RC_GTEST_PROP(SumLights, IsTheExactSumButForRounding, ()) {
   const ShadingPoint point = scene.view.point();
   const Colour exact = precise::sum(lights, point, visible);
   const LightSum sum = sum_lights(lights, point, visible);
-  // As stated with the function. transfer() may lose what is below 10^-150; times the largest
-  // intensity, and for each light, that is below 10^-100.
+  // As stated with the function. transfer() may lose what is below least_transfer; times the
+  // largest intensity, and for each light, that is below 10^-80.
   const Quad relative = Quad(transfer_error) + lights.size() * Quad(0x1p-53);
   for (int c = 0; c < 3; ++c)
-    RC_ASSERT(abs(Quad(sum.radiance[c]) - exact[c]) <= exact[c] * relative + Quad(1e-100));
+    RC_ASSERT(abs(Quad(sum.radiance[c]) - exact[c]) <= exact[c] * relative + Quad(1e-80));
 }
 
 RC_GTEST_PROP(SumLights, AsksForVisibilityOnceOfEachLightAboveTheHorizon, ()) {
