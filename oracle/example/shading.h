@@ -23,25 +23,63 @@ static inline float round_up(double v) {
 
 static inline float to_float(double v) { return v > FLT_MAX ? INFINITY : (float)v; }
 
-/// n.(y - x), relative error 2^-50, zero and sign exact: whether a light is above the horizon is
-/// decided by nothing else. The six products of floats are exact in double, and so is their sum as
-/// six doubles that do not overlap (Shewchuk 1997, "Adaptive Precision Floating-Point Arithmetic").
-static inline double dot_between(const float n[3], const float x[3], const float y[3]) {
-  double sum[6];
-  int size = 0;
-  for (int i = 0; i < 6; ++i) {
-    double rest = (double)n[i / 2] * (i % 2 == 0 ? y[i / 2] : -x[i / 2]);
-    for (int k = 0; k < size; ++k) { // rest + sum[k] without an error
-      const double total = rest + sum[k];
-      const double part = total - rest;
-      sum[k] = (rest - (total - part)) + (sum[k] - part);
-      rest = total;
-    }
-    sum[size++] = rest;
+/// A sum without error: doubles that do not overlap (Shewchuk 1997, "Adaptive Precision
+/// Floating-Point Arithmetic").
+typedef struct exact {
+  double part[24];
+  int size;
+} exact;
+
+static inline void add(exact* sum, double term) {
+  for (int k = 0; k < sum->size; ++k) { // term + part without an error
+    const double total = term + sum->part[k], seen = total - term;
+    sum->part[k] = (term - (total - seen)) + (sum->part[k] - seen);
+    term = total;
   }
+  sum->part[sum->size++] = term;
+}
+
+static inline void add_product(exact* sum, double a, double b) {
+  add(sum, fma(a, b, -(a * b)));
+  add(sum, a * b);
+}
+
+static inline double rounded(const exact* sum) {
   double total = 0;
-  for (int k = 0; k < 6; ++k) total += sum[k];
+  for (int k = 0; k < sum->size; ++k) total += sum->part[k];
   return total;
+}
+
+/// n.(y - x): products of two floats are exact in double.
+static inline exact exact_dot(const float n[3], const float x[3], const float y[3]) {
+  exact sum = {.size = 0};
+  for (int i = 0; i < 3; ++i) {
+    add(&sum, (double)n[i] * y[i]);
+    add(&sum, -(double)n[i] * x[i]);
+  }
+  return sum;
+}
+
+/// n.(y - x), relative error 2^-50, zero and sign exact: whether a light is above the horizon is
+/// decided by nothing else.
+static inline double dot_between(const float n[3], const float x[3], const float y[3]) {
+  const exact sum = exact_dot(n, x, y);
+  return rounded(&sum);
+}
+
+/// det(n, y - x, v), likewise.
+static inline double determinant(const float n[3], const float x[3], const float y[3],
+                                 const float v[3]) {
+  exact sum = {.size = 0};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const double part[2] = {(double)v[j] * n[k], -(double)v[k] * n[j]};
+    for (int m = 0; m < 2; ++m) {
+      add_product(&sum, part[m], y[i]);
+      add_product(&sum, part[m], -x[i]);
+    }
+  }
+  return rounded(&sum);
 }
 
 static const float origin[3] = {0, 0, 0};
@@ -57,10 +95,34 @@ static inline double viewer_cosine(const lightcuts_point* p) {
   return dot_between(p->normal, origin, p->to_viewer) / (length(p->normal) * length(p->to_viewer));
 }
 
+/// |l + v|, l = q/d.
+static inline double sum_length(const lightcuts_point* p, const double q[3], double d) {
+  double square = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double part = q[i] / d + p->to_viewer[i] / length(p->to_viewer);
+    square += part * part;
+  }
+  return sqrt(square);
+}
+
 /// tan^2 of the angle between the normal and l + v: what of l + v is along the surface, over what
-/// is along the normal. l = q/d.
-static inline double half_tangent2(const lightcuts_point* p, const double q[3], double d,
-                                   double up) {
+/// is along the normal. l = q/d; a is n.l, b is n.v. Where l and v are all but opposite their sum
+/// cancels; with s the sines that belong to a and b, and phi the angle between l and v as seen
+/// along the normal, the part along the surface is, squared,
+///   (s_l - s_v)^2 + 2 s_l s_v (1 + cos phi) ,
+///   s_l - s_v = (b - a) (a + b) / (s_l + s_v) ,
+///   1 + cos phi = sin^2 phi / (1 - cos phi) ,  s_l s_v sin phi = det(n, l, v) .
+static inline double half_tangent2(const lightcuts_point* p, const float from[3], const float to[3],
+                                   const double q[3], double d, double a, double b) {
+  const double together = sum_length(p, q, d);
+  if (together < 0.25) {
+    const double sl = sqrt(1 - a * a), sv = sqrt(1 - b * b);
+    const double inwards = (b - a) / (sl + sv);
+    const double aside = determinant(p->normal, from, to, p->to_viewer) /
+                         (length(p->normal) * length(p->to_viewer) * d) / (a + b);
+    const double between = 0.5 * together * together - 1; // l.v
+    return inwards * inwards + 2 * aside * aside / (sl * sv - between + a * b);
+  }
   double sum[3], along = 0, square = 0;
   for (int i = 0; i < 3; ++i) {
     sum[i] = q[i] / d + p->to_viewer[i] / length(p->to_viewer);
@@ -70,19 +132,19 @@ static inline double half_tangent2(const lightcuts_point* p, const double q[3], 
     const double part = sum[i] - along * p->normal[i] / length(p->normal);
     square += part * part;
   }
-  return square / (up * up);
+  return square / ((a + b) * (a + b));
 }
 
-/// (1 - v.h)^5, with 1 - cos = sin^2 / (1 + cos) where that would cancel.
+/// (1 - v.h)^5, with 1 - cos = sin^2 / (1 + cos) where that would cancel; 2 v.h = |l + v|.
 static inline double schlick(const lightcuts_point* p, const float from[3], const float to[3],
-                             double d) {
+                             const double q[3], double d) {
   const float* v = p->to_viewer;
   const float x[3] = {0, -v[2], v[1]}, y[3] = {v[2], 0, -v[0]}, z[3] = {-v[1], v[0], 0};
   const double a = dot_between(x, from, to), b = dot_between(y, from, to),
                c = dot_between(z, from, to);
   const double scale = length(v) * d;
   const double cosine = fmin(fmax(dot_between(v, from, to) / scale, -1), 1);
-  const double half = sqrt(0.5 * (1 + cosine)); // v.h
+  const double half = 0.5 * sum_length(p, q, d);
   const double sine2 = (a * a + b * b + c * c) / (scale * scale);
   return pow(cosine > 0 ? sine2 / (2 * (1 + cosine) * (1 + half)) : 1 - half, 5);
 }
@@ -103,11 +165,11 @@ static inline double lobe(const lightcuts_point* p, int colour, const float from
   }
   const double viewer = viewer_cosine(p);
   if (viewer <= 0) return 0;
-  const double t = half_tangent2(p, q, d, cosine + viewer);
+  const double t = half_tangent2(p, from, to, q, d, cosine, viewer);
   if (m->lobe == LIGHTCUTS_LOBE_WARD)
     return m->reflectance[colour] * exp(-t / a2) / (4 * pi * a2 * sqrt(cosine) * sqrt(viewer));
   const double ratio = (1 + t) / (a2 + t), f0 = m->reflectance[colour];
-  return (f0 + (1 - f0) * schlick(p, from, to, d)) * (a2 / pi * ratio * ratio) * 0.5 /
+  return (f0 + (1 - f0) * schlick(p, from, to, q, d)) * (a2 / pi * ratio * ratio) * 0.5 /
          (cosine * masked(a2, viewer) + viewer * masked(a2, cosine));
 }
 

@@ -34,7 +34,7 @@ TEST(SubjectOption, JudgesAForeignTree) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("Nothing is wrong; "),
+              AllOf(HasSubstr("All properties hold."),
                     HasSubstr("not judged: occlusion, pictures, random cuts (brute tree "
                               "(libbrute_tree.so) does not offer them)")));
 }

@@ -108,7 +108,7 @@ void check(const CutAnswer& of, const Recorder& record) {
 std::string parting(const CutAnswer& of) {
   if (of.cut.clusters.size() > of.config.max_size) return {};
   const WorstCluster worst(of);
-  if (const std::string end = wrong_end(of, worst); !end.empty()) return "the cut " + end;
+  if (worst.ratio <= 1) return "the cut " + wrong_end(of, worst);
   return fmt::format("the bound of node {} is {:.6g} times what is allowed, and yet refinement "
                      "ended with {} clusters of at most {}",
                      worst.node, worst.ratio, of.cut.clusters.size(), of.config.max_size);
