@@ -233,6 +233,8 @@ Scene make_grazing_scene(Dice& dice, int count, const Choice& choice) {
 }
 
 Scene make_scene(Dice& dice, int count, const Choice& choice) {
+  if (!choice.lobe || *choice.lobe != Lobe(NoLobe()).index())
+    if (Dice aside = dice.aside(); aside.one_in(8)) return make_grazing_scene(aside, count, choice);
   Scene scene;
   scene.view = random_view(dice, choice);
   const auto any_place = [&] { return static_cast<Place>(dice.below(int(Place::count))); };

@@ -11,7 +11,8 @@
 #include <oracle/cases/dice.h>
 
 /// Random scenes of what this field finds hard: exact ties, clumps, lights on the surface and at
-/// the shading point, scales that differ by 10^30, the ends of the float range.
+/// the shading point, scales that differ by 10^30, the ends of the float range, mirrors seen along
+/// their surface.
 namespace lightcuts::gen {
 
 /// What a ShadingPoint is made of.
@@ -53,6 +54,7 @@ struct Choice {
   std::optional<bool> clamped = {};
 };
 
+/// One in eight, where lobes are drawn, is a make_grazing_scene().
 [[nodiscard]] Scene make_scene(Dice& dice, int count, const Choice& choice = {});
 /// A surface seen along itself, under an angle of any scale down to the least that floats have, and
 /// lights where it mirrors the viewer, to the last bit or nearly: l and v cancel but for their
