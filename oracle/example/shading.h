@@ -30,7 +30,7 @@ typedef struct exact {
   int size;
 } exact;
 
-static inline void add(exact* sum, double term) {
+static inline void add_term(exact* sum, double term) {
   for (int k = 0; k < sum->size; ++k) { // term + part without an error
     const double total = term + sum->part[k], seen = total - term;
     sum->part[k] = (term - (total - seen)) + (sum->part[k] - seen);
@@ -40,8 +40,8 @@ static inline void add(exact* sum, double term) {
 }
 
 static inline void add_product(exact* sum, double a, double b) {
-  add(sum, fma(a, b, -(a * b)));
-  add(sum, a * b);
+  add_term(sum, fma(a, b, -(a * b)));
+  add_term(sum, a * b);
 }
 
 static inline double rounded(const exact* sum) {
@@ -54,8 +54,8 @@ static inline double rounded(const exact* sum) {
 static inline exact exact_dot(const float n[3], const float x[3], const float y[3]) {
   exact sum = {.size = 0};
   for (int i = 0; i < 3; ++i) {
-    add(&sum, (double)n[i] * y[i]);
-    add(&sum, -(double)n[i] * x[i]);
+    add_term(&sum, (double)n[i] * y[i]);
+    add_term(&sum, -(double)n[i] * x[i]);
   }
   return sum;
 }

@@ -14,8 +14,9 @@ namespace lightcuts {
 
 /// Normalised Phong (Lafortune & Willems 1994):
 ///   f(l) = reflectance (exponent + 2)/(2 pi) cos(r,l)^exponent   where cos(r,l) > 0, else 0,
-/// r being the viewer's direction mirrored at the normal. With reflectance 1 it reflects all light
-/// that comes along the normal, and less of other light.
+/// r being ShadingFrame::mirror(), the viewer's direction mirrored at the normal and rounded to
+/// floats: they are what the lobe is about, here, in the oracle's truth and for plug-ins. With
+/// reflectance 1 it reflects all light that comes along the normal, and less of other light.
 struct Phong {
   static constexpr const char* name = "phong";
   static constexpr float max_exponent = 0x1p20F;
