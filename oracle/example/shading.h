@@ -50,20 +50,14 @@ static inline double rounded(const exact* sum) {
   return total;
 }
 
-/// n.(y - x): products of two floats are exact in double.
-static inline exact exact_dot(const float n[3], const float x[3], const float y[3]) {
+/// n.(y - x), relative error 2^-50, zero and sign exact: whether a light is above the horizon is
+/// decided by nothing else. Products of two floats are exact in double.
+static inline double dot_between(const float n[3], const float x[3], const float y[3]) {
   exact sum = {.size = 0};
   for (int i = 0; i < 3; ++i) {
     add_term(&sum, (double)n[i] * y[i]);
     add_term(&sum, -(double)n[i] * x[i]);
   }
-  return sum;
-}
-
-/// n.(y - x), relative error 2^-50, zero and sign exact: whether a light is above the horizon is
-/// decided by nothing else.
-static inline double dot_between(const float n[3], const float x[3], const float y[3]) {
-  const exact sum = exact_dot(n, x, y);
   return rounded(&sum);
 }
 
