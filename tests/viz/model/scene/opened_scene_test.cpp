@@ -173,14 +173,22 @@ TEST(OpenedCounterexample, HoldsForTheLibrary) {
 }
 
 TEST(OpenedCounterexample, HasTheTreeOfItsSubjectsBuilder) {
-  const CounterexampleFile file("locally-ordered", counterexample_of("locally-ordered"));
+  oracle::Counterexample c{oracle::Property::bound_dominates_contribution, {}, "", 0};
+  for (int i = 0; i < 20; ++i)
+    c.on.lights.push_back(
+        {.position = {i * i % 7, i * i % 11, 1 + i % 3}, .intensity = glm::vec3(1)});
+  c.on.views.push_back({});
+  const CounterexampleFile file("locally-ordered", c);
   const auto scene = file.open();
-  const auto& on = scene->counterexample()->saved.counterexample.on;
-  const LightTree tree = build(scene->scene().lights, {on.seed, Builder::locally_ordered});
+  const LightTree tree = build(scene->scene().lights, {c.on.seed, Builder::locally_ordered});
+  const LightTree greedy = build(scene->scene().lights, {c.on.seed});
+  bool differ = false;
   for (std::uint32_t i = 0; i < tree.nodes().size(); ++i) {
     ASSERT_EQ(scene->tree()->node(i).box, tree.node(i).box) << i;
     ASSERT_EQ(scene->topology().light_count(i), tree.node(i).light_count) << i;
+    differ = differ || greedy.node(i).box != tree.node(i).box;
   }
+  EXPECT_TRUE(differ);
 }
 
 TEST(OpenedCounterexample, OpensWhateverTheCase) {
