@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <oracle/truth/radiometry.h>
 #include <tests/support/generators.h>
 #include <tests/support/precise.h>
 
