@@ -71,7 +71,7 @@ private:
     } else if constexpr (std::is_floating_point_v<Value>) {
       value = Value(dice_.uniform(std::max(domain.least, -2.0), std::min(domain.most, 2.0)));
     } else if constexpr (std::is_same_v<Value, bool>) {
-      value = dice_.bits() % 2 != 0;
+      value = !value;
     } else if constexpr (std::is_integral_v<Value>) {
       value = whole<Value>(domain);
     } else {
