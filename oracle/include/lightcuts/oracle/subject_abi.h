@@ -31,8 +31,8 @@
 ///   estimate is within what the threshold allows a cluster of what those of its lights that are
 ///   seen contribute; light by light, each asked for by visible(), is the plain way.
 /// - Promises of lightcuts itself beyond what makes a light tree right are wastes of yours, not
-///   violations: that bounds shrink on refinement, and that nothing changes where a scene is scaled,
-///   turned, shifted, or its lights are listed otherwise.
+///   violations: that bounds shrink on refinement, and that nothing changes where a scene is
+///   scaled, turned, shifted, or its lights are listed otherwise.
 
 #include <stdint.h>
 
@@ -184,10 +184,9 @@ typedef struct lightcuts_subject {
   int (*select)(void* tree, const lightcuts_point* point, const lightcuts_cut_config* config,
                 const lightcuts_visibility* visibility, lightcuts_cut* cut);
 
-  /// Draws one of the cluster's lights by a random number u in [0, 1), whatever is occluded, each as
-  /// often as probability() says.
-  /// probability: with which it is drawn, > 0; 0 where no light contributes and none is drawn.
-  /// Judged only beside probability().
+  /// Draws one of the cluster's lights by a random number u in [0, 1), whatever is occluded, each
+  /// as often as probability() says. probability: with which it is drawn, > 0; 0 where no light
+  /// contributes and none is drawn. Judged only beside probability().
   int (*sample)(void* tree, uint32_t node, const lightcuts_point* point, double u, uint32_t* light,
                 double* probability);
   /// The probability with which sample() draws that light of the cluster, which is one of its own;
