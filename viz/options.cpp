@@ -50,7 +50,7 @@ void add_state_option(CLI::App& command, Options& options) {
         options.view = load_view_state(file);
         options.has_colours = true;
       },
-      "a view saved by Ctrl+S (.json); other options go before it");
+      "a view saved by Ctrl+S (.json); what other options say counts instead of what it says");
 }
 
 void add_shading_options(CLI::App& command, ViewState& view) {

@@ -29,6 +29,12 @@ void set_lobe(lightcuts_material& c, const CookTorrance& lobe) {
 
 } // namespace
 
+// A kind of light that the C interface does not have is not judged by it.
+static_assert(light_kind_count == 4 && int(LightKind::omni) == LIGHTCUTS_LIGHT_OMNI &&
+              int(LightKind::oriented) == LIGHTCUTS_LIGHT_ORIENTED &&
+              int(LightKind::spot) == LIGHTCUTS_LIGHT_SPOT &&
+              int(LightKind::directional) == LIGHTCUTS_LIGHT_DIRECTIONAL);
+
 lightcuts_light as_c(const Light& light) {
   lightcuts_light c{};
   c.kind = std::uint32_t(light.kind);

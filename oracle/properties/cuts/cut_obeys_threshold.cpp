@@ -14,14 +14,11 @@ namespace {
 /// What may be wrong with the cluster, at most: its bound. A leaf cannot be refined: of one light
 /// it is exact, of several what counts is how far it is off, but for rounding as in
 /// zero-threshold-is-exact.
-Wide possible_error(const CutAnswer& of, const CutCluster& cluster) {
+Wide possible_error(const CutAnswer& of, const CutCluster& cluster, const Wide& bound) {
   const PointAnswers& answers = of.point;
   Wide error{};
   if (answers.topology().light_count(cluster.node) == 1) return error;
-  if (!answers.topology().is_leaf(cluster.node)) {
-    const glm::vec3 bound = answers.judged.tree.bound(cluster.node, answers.at.point);
-    return {bound.x, bound.y, bound.z};
-  }
+  if (!answers.topology().is_leaf(cluster.node)) return bound;
   const Wide& exact = answers.at.truth.seen(cluster.node);
   for (int i = 0; i < 3; ++i) {
     const long double off = std::abs(cluster.estimate[i] - exact[std::size_t(i)]);
@@ -36,20 +33,21 @@ struct WorstCluster {
   bool holds = true;
   double ratio = 0;
   std::uint32_t node = 0;
-  /// Some cluster's error is above the threshold, rounding aside: above the black level, too; above
-  /// that of the total alone.
+  /// Some cluster's bound, a leaf's or not, is above the threshold, rounding aside: above the black
+  /// level, too; above that of the total alone.
   bool needs_more = false, needs_black_level = false;
 
   explicit WorstCluster(const CutAnswer& of) {
     for (const CutCluster& c : of.cut.clusters) {
       if (c.node >= of.point.topology().size()) continue; // convicted elsewhere
-      const Wide error = possible_error(of, c);
+      const glm::vec3 own = of.point.judged.tree.bound(c.node, of.point.at.point);
+      const Wide bound{own.x, own.y, own.z}, error = possible_error(of, c, bound);
       for (std::size_t i = 0; i < 3; ++i) {
         const long double exact = of.config.threshold * of.total[i];
         const long double relative = exact * (1 + of.sum_error());
-        const bool needs_black = error[i] > 0 && error[i] >= exact * (1 - of.sum_error());
+        const bool needs_black = bound[i] > 0 && bound[i] >= exact * (1 - of.sum_error());
         needs_black_level = needs_black_level || needs_black;
-        needs_more = needs_more || (needs_black && error[i] > of.config.black_level);
+        needs_more = needs_more || (needs_black && bound[i] > of.config.black_level);
         const bool by_total = of.cut.end == CutEnd::converged;
         const long double allowed =
             by_total ? relative : std::max<long double>(relative, of.config.black_level);

@@ -324,6 +324,14 @@ TEST(LeavesOfSeveralLights, ObeyWhereTheirEstimateDoesWhateverTheirBound) {
   EXPECT_THAT(violated(cut_of_leaves(1.01, 0.02F)), IsEmpty());
 }
 
+// Their bounds are above the threshold and below the black level.
+TEST(LeavesOfSeveralLights, MayNeedTheBlackLevel) {
+  EXPECT_THAT(violated(cut_of(EvenLeaves(2), {1, 2}, 1, {0.02F, 1000, 2e9F}, CutEnd::black_level)),
+              IsEmpty());
+  EXPECT_THAT(violated(cut_of(EvenLeaves(2), {1, 2}, 1, {1e12F, 1000, 2e9F}, CutEnd::black_level)),
+              ElementsAre(obeys));
+}
+
 TEST(LeavesOfSeveralLights, AreConvictedWhereTheirEstimateIsOffByMoreThanTheThreshold) {
   EXPECT_THAT(violated(cut_of_leaves(1.01, 0)), ElementsAre(obeys));
   EXPECT_THAT(violated(cut_of_leaves(2, 0.02F)), ElementsAre(obeys));
