@@ -13,7 +13,8 @@
 namespace lightcuts {
 
 /// The kinds of light there are, in the order of LightKind. A new one is a type in a file of its
-/// own beside these, which CMake compiles a kernel for, and an entry here and in LightKind:
+/// own beside these, which CMake compiles a kernel for, and an entry here and in LightKind;
+/// lighting/kinds and oracle/truth/kinds want their part, and the compiler asks for it:
 ///   kind                     its LightKind
 ///   emission(light, x)       the share of its intensity that a light sends towards x, in [0, 1],
 ///                            relative error emission_error; 0 from a light with an axis at x

@@ -26,8 +26,10 @@ struct NoLobe {
   bool operator==(const NoLobe&) const = default;
 };
 
-/// The glossy lobes there are. A new one is a record with a name, validate(), evaluate() (f, 1/sr
-/// per channel) and bound() (of f n.l falloff over a box), in a file of its own and in this line.
+/// The glossy lobes there are. A new one is a record with a name and fields(), validate(),
+/// evaluate() (f, 1/sr per channel), bound() (of f n.l falloff over a box), cover() and ==, in a
+/// file of its own and in this line; oracle/truth/lobes wants its truth, and the C interface and
+/// the window their part: the compiler asks for them.
 using Lobe = std::variant<NoLobe, Phong, Ward, CookTorrance>;
 
 /// How a surface reflects: f(l) = diffuse/pi + lobe(l), 1/sr per channel. Energy is conserved where
