@@ -31,6 +31,7 @@ template <class All, class Name, class Take>
 void add_choice(CLI::App& command, const char* option, const All& all, Name name, Take take,
                 const char* description) {
   std::vector<std::string> names;
+  names.reserve(std::size(all));
   for (const auto& value : all) names.emplace_back(name(value));
   command
       .add_option_function<std::string>(

@@ -127,6 +127,7 @@ template <NamedChoice Choice>
 void read_value(const JsonElement& element, Choice& value, const Domain& /*domain*/) {
   const auto values = values_of(std::type_identity<Choice>{});
   std::vector<std::string> names;
+  names.reserve(std::size(values));
   for (const Choice& each : values) names.emplace_back(name_of(each));
   value = values[index_among(element, names)];
 }
