@@ -201,15 +201,19 @@ glm::dvec2 random_azimuth(Dice& dice) {
 } // namespace
 
 Scene make_grazing_scene(Dice& dice, int count, const Choice& choice) {
+  // Tiny, and the clamp and the brightness as large as floats are: what is squared on the way may
+  // leave the range of doubles.
+  const bool at_ends = dice.one_in(4);
   Scene scene;
   View& view = scene.view;
   view = random_view(dice, choice);
-  if (dice.one_in(2)) view.position = glm::vec3(0);
+  if (at_ends || dice.one_in(2)) view.position = glm::vec3(0);
   const Horizon horizon(dice);
   const glm::dvec2 azimuth = random_azimuth(dice);
   const double sine = of_scale(dice, -dice.between(2, 149));
   view.normal = horizon.normal();
   view.to_viewer = glm::vec3(horizon.direction(azimuth, sine));
+  if (at_ends && dice.one_in(2)) view.material.diffuse = glm::vec3(0x1.fffffep127F);
   const int brightness = dice.below(6);
   for (int i = 0; i < count; ++i) {
     Light light;
@@ -219,16 +223,19 @@ Scene make_grazing_scene(Dice& dice, int count, const Choice& choice) {
     const double higher = dice.one_in(3) ? of_scale(dice, dice.between(-8, 1)) : 1;
     const glm::dvec2 back{-azimuth.x - turn * azimuth.y, turn * azimuth.x - azimuth.y};
     const glm::dvec3 l = horizon.direction(unit(back), std::min(higher * sine, 0.5));
-    const double distance = std::ldexp(1.0, dice.between(-20, 20));
+    const double distance =
+        std::ldexp(1.0, at_ends ? dice.between(-149, -110) : dice.between(-20, 20));
     light.position = finite(glm::dvec3(view.position) + distance * l);
-    light.intensity = intensity(dice, brightness);
+    light.intensity =
+        at_ends && dice.one_in(2) ? glm::vec3(0x1.fffffep127F) : intensity(dice, brightness);
     oracle::radiometry::with_kind(light.kind,
                                   [&](auto truth) { truth.finish(dice, light, view.position); });
     if (oracle::radiometry::is_far(light.kind)) light.position = glm::vec3(l);
     if (dice.one_in(4)) light.position = next_to(dice, light.position);
     scene.lights.push_back(light);
   }
-  if (choice.clamped ? *choice.clamped : dice.one_in(4)) scene.min_distance = random_clamp(dice);
+  if (choice.clamped ? *choice.clamped : dice.one_in(at_ends ? 2 : 4))
+    scene.min_distance = at_ends ? std::ldexp(1.0F, dice.between(110, 127)) : random_clamp(dice);
   return scene;
 }
 

@@ -242,6 +242,23 @@ TEST(ContributionLowerBound, OfADiffuseLeafIsItsContributionRoundedDown) {
   EXPECT_EQ(low.y, 0);
 }
 
+// n.l is 2^-135 and the clamp the largest float: squared, n.l falloff is below what doubles hold.
+TEST(ContributionLowerBound, IsBelowTheContributionOfWhatIsTinyInAllButBrightness) {
+  constexpr float tiny = 0x1p-149F;
+  for (const float x : {4 * tiny, 6 * tiny, 100 * tiny, 0x1p-120F}) {
+    LightSet lights;
+    lights.set_min_distance(largest);
+    lights.add_omni({x, 0, 0}, glm::vec3(largest));
+    const ShadingPoint point({0, 0, 0}, {0x1.0d34p-135F, 1, 0}, {1, 0, 0},
+                             {glm::vec3(largest), {}});
+    const Quad exact = precise::contribution(point, lights[0], largest)[0];
+    EXPECT_GT(exact, 0);
+    const float low = contribution_lower_bound(build(lights), 0, point).x;
+    EXPECT_LE(Quad(low), exact) << x;
+    EXPECT_GE(Quad(low), exact * (1 - 0x1p-20) - Quad(tiny)) << x;
+  }
+}
+
 RC_GTEST_PROP(ProductBound, IsNotBelowTheJointOneButForRounding, ()) {
   const gen::Scene scene = *gen::scene();
   const LightTree tree = build(scene.light_set());

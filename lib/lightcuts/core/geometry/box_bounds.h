@@ -192,10 +192,13 @@ inline glm::dvec3 nearest_in_front(const glm::vec3& n, const DifferenceBox& box)
 
 /// min of max(0, n.q)/|q| falloff(|q|^2) over the box, relative error box_bound_error: at a corner,
 /// for a falloff that makes this quasi-concave where it is positive: 1, 1/|q|^2, and the smaller of
-/// such. 0 if some q has n.q <= 0, or is 0. Below 10^-150 its square may underflow.
+/// such. 0 if some q has n.q <= 0, or is 0.
 template <class Falloff>
 [[nodiscard]] double min_cosine_times(const glm::vec3& n, const DifferenceBox& box,
                                       Falloff&& falloff) {
+  // n.q falloff lies between 2^-558 and 2^149, |q|^2 between 2^-298 and 2^262: squares are normal
+  // so.
+  constexpr double scaled_up = 0x1p200;
   double dots[3][2], squares[3][2];
   double scale = 0;
   for (int i = 0; i < 3; ++i)
@@ -213,10 +216,10 @@ template <class Falloff>
       n_dot_q = box.dot_at(bits, n);
     if (n_dot_q <= 0) return 0;
     const double length2 = squares[0][a] + squares[1][b] + squares[2][c];
-    const double unrooted = n_dot_q * falloff(length2);
+    const double unrooted = n_dot_q * falloff(length2) * scaled_up;
     least_squared = std::min(least_squared, unrooted * unrooted / length2); // one root will do
   }
-  return std::sqrt(least_squared);
+  return std::sqrt(least_squared) / scaled_up;
 }
 
 // Of a box seen from a point x, q = y - x.
