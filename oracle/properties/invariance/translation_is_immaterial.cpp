@@ -4,13 +4,18 @@
 namespace lightcuts::oracle {
 namespace {
 
+/// Adds, and says whether floats can express that exactly: what the sum has lost is 0 (Knuth 1969).
+bool add(float& value, float by) {
+  const float sum = value + by, seen = sum - value;
+  const float lost = (value - (sum - seen)) + (by - seen);
+  value = sum;
+  return lost == 0;
+}
+
 bool shift(Setting& s) {
-  constexpr glm::vec3 by(1, -2, 4);
-  const auto shifted = [&](glm::vec3& v) {
-    const glm::vec3 moved = v + by;
-    const bool exact = glm::dvec3(moved) == glm::dvec3(v) + glm::dvec3(by) && moved - by == v;
-    v = moved;
-    return exact;
+  const auto shifted = [](glm::vec3& v) {
+    const bool x = add(v.x, 1), y = add(v.y, -2), z = add(v.z, 4);
+    return x && y && z;
   };
   bool exact = shifted(s.view.position);
   for (Light& light : s.lights)
