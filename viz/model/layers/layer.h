@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include <glm/vec3.hpp>
+#include <lightcuts/core/methods/method.h>
 #include <lightcuts/render/view/renderer.h>
 
 namespace lightcuts::viz {
@@ -37,13 +38,6 @@ enum class LayerNeeds : std::uint8_t {
   truth      ///< the true contribution of every cluster at every pixel
 };
 
-/// A struct with a member of this type cannot be copied: its address is its identity.
-struct Pinned {
-  constexpr Pinned() = default;
-  Pinned(const Pinned&) = delete;
-  Pinned& operator=(const Pinned&) = delete;
-};
-
 /// A quantity of each pixel, all that is said of it anywhere. Each has a file in kinds/, and is
 /// entered in all_layers.h.
 struct LayerInfo {
@@ -58,7 +52,7 @@ struct LayerInfo {
   /// One of the two: a heat map's value, or a colour, radiance, that is shown by exposure.
   float (*value)(const LayerPixel&) = nullptr;
   glm::vec3 (*colour)(const LayerPixel&) = nullptr;
-  Pinned pinned = {};
+  [[no_unique_address]] NotCopied not_copied{};
 };
 
 /// One of all_layers, by its description.
