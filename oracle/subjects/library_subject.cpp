@@ -57,7 +57,8 @@ public:
   explicit LibrarySubject(std::string name, Builder builder = Builder::greedy)
       : KernelSubject(std::move(name)), builder_(builder) {}
   [[nodiscard]] Parts parts() const override {
-    return builder_ == Builder::greedy ? all_parts : all_parts & ~only(Part::greedy_tree);
+    const Parts all = KernelSubject::parts();
+    return builder_ == Builder::greedy ? all : all & ~only(Part::greedy_tree);
   }
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {

@@ -130,13 +130,11 @@ public:
 /// place.
 class KernelSubject : public Subject {
 public:
-  static constexpr Parts all_parts = all_parts_and_claims;
-
   explicit KernelSubject(std::string name, SharedKernel kernel = {})
       : name_(std::move(name)), kernel_(std::move(kernel)) {}
 
   [[nodiscard]] const std::string& name() const override { return name_; }
-  [[nodiscard]] Parts parts() const override { return all_parts; }
+  [[nodiscard]] Parts parts() const override { return all_parts_and_claims; }
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override;
   [[nodiscard]] bool refined_before(double bound, double other) const override;

@@ -44,7 +44,7 @@ enum class Part : unsigned {
   library_rules = 1024 ///< what this library promises beyond what makes a light tree right
 };
 inline constexpr int part_count = 9; ///< claims not counted
-inline constexpr Parts all_parts_and_claims = 2047;
+inline constexpr Parts all_parts_and_claims = (1U << 11) - 1;
 [[nodiscard]] constexpr Parts only(Part part) { return unsigned(part); }
 [[nodiscard]] constexpr bool has(Parts parts, Part part) { return (parts & only(part)) != 0; }
 [[nodiscard]] const char* name_of(Part part);

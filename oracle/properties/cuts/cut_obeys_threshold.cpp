@@ -33,9 +33,8 @@ struct WorstCluster {
   bool holds = true;
   double ratio = 0;
   std::uint32_t node = 0;
-  /// Some cluster's bound, a leaf's or not, is above the threshold, rounding aside: above the black
-  /// level, too; above that of the total alone.
-  bool needs_more = false, needs_black_level = false;
+  bool needs_black_level = false; ///< some bound, of a leaf or not, is above the threshold
+  bool needs_more = false;        ///< and above the black level
 
   explicit WorstCluster(const CutAnswer& of) {
     for (const CutCluster& c : of.cut.clusters) {

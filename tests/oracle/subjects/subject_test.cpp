@@ -117,7 +117,7 @@ TEST(LibrarySubject, GivesTheLibrarysOwnAnswers) {
   const LightTree own = four_lights();
   const auto subject = library_subject();
   EXPECT_EQ(subject->name(), "lightcuts");
-  EXPECT_EQ(subject->parts(), KernelSubject::all_parts);
+  EXPECT_EQ(subject->parts(), all_parts_and_claims);
   const auto tree = subject->build(own.lights(), 1);
   const ShadingPoint point = diffuse_point();
   for (std::uint32_t i = 0; i < own.nodes().size(); ++i) {
