@@ -18,7 +18,7 @@ namespace {
 using oracle::Property;
 using oracle::PropertyCount;
 
-constexpr const char* schema = "lightcuts-oracle/campaign/1";
+constexpr const char* schema = "lightcuts-oracle/campaign/2";
 
 nlohmann::ordered_json json_of(const PropertyCount& count) {
   return {{"cases", count.cases},
