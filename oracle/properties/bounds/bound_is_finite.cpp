@@ -72,8 +72,11 @@ BothSides sides(const PointAnswers& of, std::uint32_t node) {
 
 const PropertyInfo property::bound_is_finite{
     .name = "bound-is-finite",
-    .statement = "A bound is infinite only where the supremum is.",
-    .formula = "bound < inf unless the point is in the box, or the largest float is exceeded",
+    .statement =
+        "A bound is infinite only where the point is among the lights, or the largest float "
+        "might be exceeded.",
+    .formula = "bound < inf unless the point is in the box, or all lights at the nearest distance, "
+               "mirrored straight to the viewer, reach half the largest float",
     .severity = Severity::waste,
     .needs = only(Part::bounds),
     .of_clusters = each_cluster<check>,
