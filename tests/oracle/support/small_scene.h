@@ -42,7 +42,8 @@ inline Scene floor_scene(std::uint32_t lights) {
   return scene;
 }
 
-/// floor_scene() with a square of 1 m x 1 m hanging over the floor's middle, out of the camera's way.
+/// floor_scene() with a square of 1 m x 1 m hanging over the floor's middle, out of the camera's
+/// way.
 inline Scene shaded_floor_scene(std::uint32_t lights) {
   Scene scene = floor_scene(lights);
   add_quad(scene, {0.4F, 0.5F, 0.5F}, {1.4F, 0.5F, 0.5F}, {1.4F, 0.5F, -0.5F}, {0.4F, 0.5F, -0.5F});
