@@ -92,6 +92,13 @@ Cut SubjectTree::draw(const ShadingPoint&, const CutConfig&, std::uint64_t,
   not_a_part(Part::random_cuts);
 }
 
+std::unique_ptr<SubjectTree> Subject::build_after(std::unique_ptr<SubjectTree> before,
+                                                  const LightSet& lights,
+                                                  std::uint64_t seed) const {
+  before.reset();
+  return build(lights, seed);
+}
+
 bool Subject::refined_before(double, double) const { not_a_part(Part::refinement_order); }
 
 bool Subject::sees(const SceneView&, const VisiblePoint&, std::uint32_t) const {

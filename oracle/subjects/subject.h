@@ -114,6 +114,11 @@ public:
   /// Builds a light tree; seed: of its random choices.
   [[nodiscard]] virtual std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                            std::uint64_t seed) const = 0;
+  /// Builds a tree where another one has been built, asked, and given up: in the same process, with
+  /// whatever the subject keeps from one tree to the next.
+  [[nodiscard]] virtual std::unique_ptr<SubjectTree>
+  build_after(std::unique_ptr<SubjectTree> before, const LightSet& lights,
+              std::uint64_t seed) const;
   /// Whether a cluster with the first relative bound is refined before one with the second.
   [[nodiscard]] virtual bool refined_before(double bound, double other) const;
   /// Whether a light is seen from the point.
