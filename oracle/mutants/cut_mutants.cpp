@@ -191,6 +191,14 @@ void keep_parents_light(OpenCut& open) {
 
 void say_converged(OpenCut& open) { open.cut.end = CutEnd::converged; }
 
+void say_no_black_level(OpenCut& open) {
+  if (open.cut.end == CutEnd::black_level) open.cut.end = CutEnd::converged;
+}
+
+void halve_where_unoccluded(OpenCut& open) {
+  if (open.config.unoccluded) open.cut.certified_error *= 0.5F;
+}
+
 void add_in_floats(OpenCut& open) {
   glm::vec3 total(0);
   open.replay([&](const glm::dvec3& e, double sign) { total += glm::vec3(sign * e); });
@@ -252,6 +260,10 @@ constexpr Mutant catalogue[] = {
      with_tree<ReconfiguredTree<by_first_guess>>},
     {"stops-at-size-silently", "calls a cut converged that has reached its largest size",
      with_tree<SpoiltTree<say_converged>>},
+    {"black-level-unsaid", "calls a cut converged that needed the black level",
+     with_tree<SpoiltTree<say_no_black_level>>},
+    {"half-if-unoccluded", "certifies half the error where nothing can be occluded",
+     with_tree<SpoiltTree<halve_where_unoccluded>>},
     {"drift", "adds and subtracts in floats", with_tree<SpoiltTree<add_in_floats>>},
     {"cache-across-points", "reuses bounds of one shading point at the next",
      with_tree<CachingTree>},

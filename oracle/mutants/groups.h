@@ -20,6 +20,8 @@ namespace lightcuts::oracle {
 [[nodiscard]] std::span<const Mutant> sampling_mutants();
 [[nodiscard]] std::span<const Mutant> shading_mutants();
 [[nodiscard]] std::span<const Mutant> subtle_mutants();
+[[nodiscard]] std::span<const Mutant> size_mutants();
+[[nodiscard]] std::span<const Mutant> age_mutants();
 
 /// The library's kernel for any tree, of which a mutant puts one thing of its own in place.
 struct LibraryKernel : ClusterKernel {
@@ -131,6 +133,22 @@ public:
 template <class Tree>
 std::unique_ptr<Subject> with_tree(const char* name) {
   return std::make_unique<WithTree<Tree>>(name);
+}
+
+/// The library with a tree that something has been done to.
+template <LightTree build_altered(const LightSet& lights, std::uint64_t seed)>
+class OtherTree : public KernelSubject {
+public:
+  using KernelSubject::KernelSubject;
+  [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
+                                                   std::uint64_t seed) const override {
+    return std::make_unique<LibraryTree>(build_altered(lights, seed));
+  }
+};
+
+template <LightTree build_altered(const LightSet& lights, std::uint64_t seed)>
+std::unique_ptr<Subject> with_altered(const char* name) {
+  return std::make_unique<OtherTree<build_altered>>(name);
 }
 
 } // namespace lightcuts::oracle

@@ -170,6 +170,36 @@ public:
   }
 };
 
+/// Rounds the random number to a float, which may be 1.
+class NumberInFloat : public CopiedPerThread<NumberInFloat, OtherDraws> {
+public:
+  using CopiedPerThread<NumberInFloat, OtherDraws>::CopiedPerThread;
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
+    const auto rounded = double(float(u));
+    return rounded < 1 ? OtherDraws::sample(node, point, rounded) : DrawnLight{};
+  }
+};
+
+/// Goes to the first child for u up to its share, and at u = 0 to one that has none, as if it had
+/// the least.
+class BorderIsFirst : public CopiedPerThread<BorderIsFirst, OtherDraws> {
+public:
+  using CopiedPerThread<BorderIsFirst, OtherDraws>::CopiedPerThread;
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
+    double p = 1;
+    while (!tree().node(node).is_leaf()) {
+      const ChildShares share = HierarchicalImportance::shares(tree(), node, point);
+      if (share.first == 0 && share.second == 0) return {};
+      const bool first = u <= share.first;
+      const double part = first ? std::max(share.first, min_share) : share.second;
+      u = std::min((first ? u : u - share.first) / part, 1 - 0x1p-53);
+      p *= part;
+      node = tree().node(node).first_child + (first ? 0 : 1);
+    }
+    return {tree().node(node).representative, p};
+  }
+};
+
 constexpr Mutant catalogue[] = {
     {"random-number-lost", "draws by other numbers than the one it is given",
      with_tree<RandomNumberLost>},
@@ -183,6 +213,10 @@ constexpr Mutant catalogue[] = {
      with_tree<InverseProbability>},
     {"pdf-mismatch", "states the probability by intensity of what it draws by importance",
      with_tree<PdfMismatch>},
+    {"random-number-in-float", "rounds the random number to a float, and draws nothing by 1",
+     with_tree<NumberInFloat>},
+    {"border-is-first", "goes to the first child for u up to its share, though that may be 0",
+     with_tree<BorderIsFirst>},
 };
 
 } // namespace

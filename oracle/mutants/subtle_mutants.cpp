@@ -72,6 +72,41 @@ struct ConeOneInAMillion : Library {
   }
 };
 
+/// Axes less than a thousandth apart are one axis.
+struct AxesTakenForOne : Library {
+  double max_emission(const LightTree& tree, std::uint32_t i, LightKind kind,
+                      const glm::vec3& from) const override {
+    ClusterEmission e = tree.emission(i);
+    if (e.cone.chord2 < 1e-6F) e.cone.chord2 = 0;
+    return visit_kind(kind, [&]<class Kind>(Kind) {
+      return Kind::max_emission(e, DifferenceBox(from, tree.node(i).box));
+    });
+  }
+};
+
+/// Estimates by the light that stands for another cluster.
+struct EstimateOfSibling : LibraryKernel {
+  [[nodiscard]] glm::dvec3 estimate(const LightTree& tree, std::uint32_t node,
+                                    const ShadingPoint& point,
+                                    const glm::vec3& bound) const override {
+    const TreeNode& n = tree.node(node);
+    if (n.is_leaf()) return LibraryKernel::estimate(tree, node, point, bound);
+    const Light& other = tree.lights()[(n.representative + 1) % tree.lights().size()];
+    const glm::dvec3 one = transfer(point, other, tree.lights().min_distance()) * n.intensity;
+    return glm::min(one, glm::dvec3(bound));
+  }
+};
+
+/// Estimates a cluster by its first child alone.
+struct EstimateOfHalf : LibraryKernel {
+  [[nodiscard]] glm::dvec3 estimate(const LightTree& tree, std::uint32_t node,
+                                    const ShadingPoint& point,
+                                    const glm::vec3& bound) const override {
+    const TreeNode& n = tree.node(node);
+    return LibraryKernel::estimate(tree, n.is_leaf() ? node : n.first_child, point, bound);
+  }
+};
+
 struct BoxOneUlpShort : Library {
   double max_cosine_falloff(LightKind kind, const glm::vec3& n, const glm::vec3& from,
                             const Box& box, double d2) const override {
@@ -162,6 +197,12 @@ constexpr Mutant catalogue[] = {
      with_suprema<ClampOnePerMille>},
     {"cone-one-in-a-million", "orientation cones are a millionth too narrow",
      with_suprema<ConeOneInAMillion>},
+    {"axes-taken-for-one", "takes axes less than a thousandth apart for one",
+     with_suprema<AxesTakenForOne>},
+    {"estimate-of-another", "estimates a cluster by a light of another one",
+     with_kernel<EstimateOfSibling>},
+    {"estimate-of-half", "estimates a cluster by its first child alone",
+     with_kernel<EstimateOfHalf>},
     {"box-one-ulp-short", "boxes end one float before their lights in x",
      with_suprema<BoxOneUlpShort>},
     {"one-edge-forgotten", "looks for the largest n.l/d^2 on eleven of the box's twelve edges",

@@ -12,22 +12,6 @@
 namespace lightcuts::oracle {
 namespace {
 
-/// The library with a tree that something has been done to.
-template <LightTree build_altered(const LightSet& lights, std::uint64_t seed)>
-class OtherTree : public KernelSubject {
-public:
-  using KernelSubject::KernelSubject;
-  [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
-                                                   std::uint64_t seed) const override {
-    return std::make_unique<LibraryTree>(build_altered(lights, seed));
-  }
-};
-
-template <LightTree build_altered(const LightSet& lights, std::uint64_t seed)>
-std::unique_ptr<Subject> with_altered(const char* name) {
-  return std::make_unique<OtherTree<build_altered>>(name);
-}
-
 /// The library's tree after `change` of each inner node, children first.
 template <void change(const LightSet& lights, std::vector<TreeNode>& nodes, TreeNode& node)>
 LightTree changed(const LightSet& lights, std::uint64_t seed) {
