@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/files/output_folder.h>
 #include <oracle/cases/counterexample_json.h>
 
 namespace lightcuts::cli {

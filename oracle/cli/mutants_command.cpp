@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/files/output_folder.h>
 #include <oracle/campaign/hunt.h>
 #include <oracle/cases/counterexample_json.h>
 #include <oracle/cli/commands.h>

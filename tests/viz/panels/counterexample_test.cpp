@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
-#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/files/output_folder.h>
 #include <oracle/cases/counterexample_json.h>
 #include <oracle/subjects/subjects.h>
 

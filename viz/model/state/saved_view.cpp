@@ -4,7 +4,7 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/files/output_folder.h>
 #include <lightcuts/version.h>
 
 #include <viz/model/layers/all_layers.h>

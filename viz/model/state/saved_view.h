@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include <lightcuts/render/io/images/film.h>
+#include <lightcuts/render/images/film.h>
 
 #include <viz/model/layers/colouring.h>
 #include <viz/model/workbench.h>

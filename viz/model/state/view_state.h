@@ -7,7 +7,7 @@
 #include <string>
 
 #include <glm/vec2.hpp>
-#include <lightcuts/render/io/images/colour_map.h>
+#include <lightcuts/render/images/colour_map.h>
 #include <lightcuts/render/scene/scene.h>
 
 #include <viz/model/layers/kinds/image.h>

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
 
 #include <viz/model/layers/all_layers.h>
 #include <viz/model/state/saved_view.h>

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
-#include <lightcuts/render/io/images/colour_map.h>
+#include <lightcuts/render/images/colour_map.h>
 
 #include <viz/gl/context/gl_objects.h>
 #include <viz/gl/context/offscreen_context.h>

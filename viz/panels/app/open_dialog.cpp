@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 
 #include <viz/panels/app/drawing.h>
 

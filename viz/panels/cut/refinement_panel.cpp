@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
 
 #include <viz/model/layers/value_text.h>
 #include <viz/panels/app/drawing.h>

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include <lightcuts/render/scene/scene.h>
 
 namespace lightcuts {
-
-/// Largest width and height of an image, pixels.
-inline constexpr std::uint32_t max_image_side = 16384;
 
 /// Opens a scene of any kind: a built-in one, with parameters (builtin_scenes.h), a `.json` scene
 /// (scene_json.h) or a `.obj`, `.gltf` or `.glb` model (model_import.h); upper and lower case do

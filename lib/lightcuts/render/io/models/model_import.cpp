@@ -14,11 +14,12 @@
 #include <glm/mat4x4.hpp>
 #include <lightcuts/core/input_error.h>
 
+#include <lightcuts/render/files/text.h>
 #include <lightcuts/render/io/models/gltf_nodes.h>
 #include <lightcuts/render/io/models/imported_material.h>
 #include <lightcuts/render/io/models/imported_texture.h>
 #include <lightcuts/render/io/models/obj_check.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/scene/framing.h>
 
 namespace lightcuts {
 namespace {

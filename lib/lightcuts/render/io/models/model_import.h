@@ -35,9 +35,4 @@ namespace lightcuts {
 /// camera, which then is the scene's. For scenes of several models; throws as import_model does.
 bool append_model(const std::filesystem::path& file, Scene& scene);
 
-/// A camera that shows the whole mesh: from the front and above at three quarters, or, where that
-/// sees clearly deeper into the mesh (a room open to one side), straight along an axis.
-/// The mesh must have triangles.
-[[nodiscard]] Camera framing(const TriangleMesh& mesh);
-
 } // namespace lightcuts

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/scene/shapes.h>
+#include <lightcuts/render/builtin/shapes.h>
 
 #include <array>
 #include <vector>

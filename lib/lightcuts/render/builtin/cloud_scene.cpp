@@ -4,9 +4,9 @@
 #include <lightcuts/render/lighting/light_generator.h>
 #include <lightcuts/render/lighting/light_kinds.h>
 
+#include <lightcuts/render/builtin/builtin_makers.h>
+#include <lightcuts/render/builtin/shapes.h>
 #include <lightcuts/render/lighting/random.h>
-#include <lightcuts/render/scene/builtin_makers.h>
-#include <lightcuts/render/scene/shapes.h>
 
 namespace lightcuts {
 namespace {

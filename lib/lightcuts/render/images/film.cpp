@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/io/images/film.h>
+#include <lightcuts/render/images/film.h>
 
 #include <algorithm>
 #include <cassert>
@@ -8,9 +8,9 @@
 
 #include <OpenImageIO/imageio.h>
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/render/io/images/colour_map.h>
+#include <lightcuts/render/images/colour_map.h>
 
-#include <lightcuts/render/io/images/image_file.h>
+#include <lightcuts/render/images/image_file.h>
 
 namespace lightcuts {
 namespace {

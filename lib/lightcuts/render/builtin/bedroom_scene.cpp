@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/lighting/light_generator.h>
 
+#include <lightcuts/render/builtin/builtin_makers.h>
+#include <lightcuts/render/builtin/shapes.h>
 #include <lightcuts/render/lighting/random.h>
-#include <lightcuts/render/scene/builtin_makers.h>
-#include <lightcuts/render/scene/shapes.h>
 
 namespace lightcuts {
 namespace {

@@ -10,7 +10,7 @@
 #include <OpenImageIO/imageio.h>
 #include <glm/vec2.hpp>
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/render/io/images/colour_map.h>
+#include <lightcuts/render/images/colour_map.h>
 
 namespace lightcuts {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/scene/texture.h>
+#include <lightcuts/render/images/texture_decoding.h>
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
 
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
 
 namespace lightcuts {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/io/images/environment_map.h>
+#include <lightcuts/render/images/environment_map.h>
 
 #include <cmath>
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/render/io/open_scene.h>
+#include <lightcuts/render/scene/scene.h>
 
-#include <lightcuts/render/io/images/image_file.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
+#include <lightcuts/render/images/image_file.h>
 
 namespace lightcuts {
 namespace {

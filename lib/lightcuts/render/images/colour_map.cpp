@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/io/images/colour_map.h>
+#include <lightcuts/render/images/colour_map.h>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
 
-#include <lightcuts/render/io/images/image_file.h>
+#include <lightcuts/render/images/image_file.h>
 
 namespace lightcuts {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 
 #include <algorithm>
 #include <charconv>
@@ -11,7 +11,7 @@
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/render/lighting/light_generator.h>
 
-#include <lightcuts/render/scene/builtin_makers.h>
+#include <lightcuts/render/builtin/builtin_makers.h>
 
 namespace lightcuts {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/io/images/film.h>
+#include <lightcuts/render/images/film.h>
 
 #include <bit>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/io/json/json_lights.h>
+#include <lightcuts/render/io/json_lights.h>
 
 #include <string>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/io/json/scene_json.h>
+#include <lightcuts/render/io/scene_json.h>
 
 #include <fmt/format.h>
 #include <lightcuts/render/io/models/model_import.h>
-#include <lightcuts/render/io/open_scene.h>
 
+#include <lightcuts/render/files/text.h>
 #include <lightcuts/render/io/json/json_element.h>
-#include <lightcuts/render/io/json/json_lights.h>
 #include <lightcuts/render/io/json/json_text.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/io/json_lights.h>
 #include <lightcuts/render/scene/camera_fault.h>
+#include <lightcuts/render/scene/framing.h>
 
 namespace lightcuts {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 
 #include <algorithm>
 #include <set>

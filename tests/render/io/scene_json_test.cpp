@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/io/json/scene_json.h>
+#include <lightcuts/render/io/scene_json.h>
 
 #include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <lightcuts/render/io/images/film.h>
+#include <lightcuts/render/images/film.h>
 #include <lightcuts/render/io/open_scene.h>
 #include <lightcuts/render/lighting/area_lights.h>
 #include <lightcuts/render/lighting/environment_lights.h>
