@@ -19,10 +19,10 @@
 #include <oracle/cli/progress_line.h>
 #include <oracle/cli/property_table.h>
 #include <oracle/cli/subjects.h>
+#include <oracle/numbers/same_digits.h>
 #include <oracle/options/count.h>
 #include <oracle/options/scene_options.h>
 #include <oracle/records/record_json.h>
-#include <oracle/records/same_digits.h>
 
 namespace lightcuts::cli {
 namespace {

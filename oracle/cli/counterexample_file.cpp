@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <lightcuts/render/files/output_folder.h>
-#include <oracle/cases/counterexample_json.h>
+#include <oracle/counterexamples/counterexample_json.h>
 
 namespace lightcuts::cli {
 namespace {

@@ -11,8 +11,8 @@
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
 #include <oracle/cli/progress_line.h>
+#include <oracle/numbers/same_digits.h>
 #include <oracle/options/scene_options.h>
-#include <oracle/records/same_digits.h>
 #include <oracle/report/plots/pictures.h>
 
 namespace lightcuts::cli {

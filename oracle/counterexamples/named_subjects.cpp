@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <oracle/subjects/subjects.h>
+#include <oracle/counterexamples/named_subjects.h>
 
 #include <fmt/format.h>
 

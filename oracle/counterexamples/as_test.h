@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <oracle/cases/counterexample_json.h>
+#include <oracle/counterexamples/counterexample_json.h>
 
 namespace lightcuts::oracle {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <oracle/cases/as_test.h>
+#include <oracle/counterexamples/as_test.h>
 
 #include <cctype>
 #include <string_view>

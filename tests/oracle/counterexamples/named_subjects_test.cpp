@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <oracle/subjects/subjects.h>
+#include <oracle/counterexamples/named_subjects.h>
 
 #include <gtest/gtest.h>
 #include <oracle/mutants/mutants.h>

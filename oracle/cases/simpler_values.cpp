@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <oracle/records/simpler_values.h>
+#include <oracle/cases/simpler_values.h>
 
 namespace lightcuts::oracle {
 

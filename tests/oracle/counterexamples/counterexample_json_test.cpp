@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <oracle/cases/counterexample_json.h>
+#include <oracle/counterexamples/counterexample_json.h>
 
 #include <fstream>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <oracle/cases/hex_float.h>
+#include <oracle/numbers/hex_float.h>
 
 #include <charconv>
 #include <cmath>
