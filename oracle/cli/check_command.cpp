@@ -177,7 +177,9 @@ void add_check_command(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("check", "Check every property on a scene.");
   add_common_options(*command, *options);
   options::add_threshold_option(*command, options->threshold);
-  add_json_folder_option(*command, *options);
+  command->add_option("--out", options->out,
+                      "folder for check.json and for what fails, counterexample-PROPERTY.json; "
+                      "default: no check.json, counterexamples to out/SCENE");
   add_cases_option(*command, *options);
   add_subject_options(*command, *options);
   command
