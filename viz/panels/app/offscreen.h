@@ -9,7 +9,7 @@
 #include <viz/gl/context/gl_objects.h>
 #include <viz/gl/context/offscreen_context.h>
 #include <viz/panels/app/app.h>
-#include <viz/panels/app/gui.h>
+#include <viz/panels/gui/gui.h>
 
 namespace lightcuts::viz {
 

@@ -8,7 +8,7 @@
 #include <imgui_stdlib.h>
 #include <lightcuts/render/builtin/builtin_scenes.h>
 
-#include <viz/panels/app/drawing.h>
+#include <viz/panels/gui/drawing.h>
 
 namespace lightcuts::viz {
 namespace {

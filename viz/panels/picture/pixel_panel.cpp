@@ -10,7 +10,7 @@
 #include <lightcuts/render/files/text.h>
 
 #include <viz/model/layers/value_text.h>
-#include <viz/panels/app/drawing.h>
+#include <viz/panels/gui/drawing.h>
 
 namespace lightcuts::viz {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <viz/model/state/shading_settings.h>
+#include <viz/model/picture/shading_settings.h>
 
 #include <gtest/gtest.h>
 #include <lightcuts/core/cut/stochastic_cut.h>

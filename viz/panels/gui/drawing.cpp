@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <viz/panels/app/drawing.h>
+#include <viz/panels/gui/drawing.h>
 
 namespace lightcuts::viz {
 

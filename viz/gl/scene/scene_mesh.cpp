@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <viz/gl/preview/scene_mesh.h>
+#include <viz/gl/scene/scene_mesh.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <viz/model/state/saved_view.h>
+#include <viz/model/saved_view.h>
 
 #include <cmath>
 

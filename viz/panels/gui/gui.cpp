@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <viz/panels/app/gui.h>
+#include <viz/panels/gui/gui.h>
 
 #include <array>
 #include <cmath>

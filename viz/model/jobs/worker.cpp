@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <viz/model/worker.h>
+#include <viz/model/jobs/worker.h>
 
 #include <utility>
 
