@@ -35,7 +35,7 @@ public:
   void cancel();
   /// Whether a job runs or waits.
   [[nodiscard]] bool busy() const;
-  /// Of the job that runs, or ran last, as far as it has told.
+  /// The share done, in [0, 1], of the job that runs, or ran last, as far as it has told.
   [[nodiscard]] double share() const { return share_; }
 
 private:
