@@ -9,6 +9,7 @@
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/render/builtin/builtin_scenes.h>
 #include <lightcuts/render/io/models/model_import.h>
+#include <lightcuts/render/io/scene_files.h>
 #include <lightcuts/render/io/scene_json.h>
 
 #include <lightcuts/render/files/text.h>
@@ -115,14 +116,13 @@ Scene read(const std::string& spec) {
   if (is_builtin(spec)) return make_builtin(spec);
   const std::filesystem::path file(spec);
   const std::string extension = lower_extension(file);
-  if (extension == ".json") return load_scene_json(file);
-  if (extension == ".obj" || extension == ".gltf" || extension == ".glb") return import_model(file);
+  if (extension == scene_json_extension) return load_scene_json(file);
+  if (is_scene_file(file)) return import_model(file);
   if (spec.find_first_of("./") == std::string::npos)
     return make_builtin(spec); // says what is known
   throw InputError(InputFault::unsupported,
-                   fmt::format("{}: unknown kind of scene '{}'; known: a built-in name, .json, "
-                               ".obj, .gltf, .glb",
-                               spec, file.extension().string()));
+                   fmt::format("{}: unknown kind of scene '{}'; known: a built-in name, {}", spec,
+                               file.extension().string(), fmt::join(scene_extensions, ", ")));
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace lightcuts {
 
 /// Reads a scene described in JSON:
 ///
-///     {"geometry": "room.obj",                  or a list of .obj, .gltf, .glb files
+///     {"geometry": "room.obj",                  or a list of models
 ///      "camera": {"position": [0, 1, 3], "target": [0, 1, 0], "up": [0, 1, 0], "fov": 45},
 ///      "image": {"width": 640, "height": 480},
 ///      "lights": [{"position": [0, 2, 0], "intensity": [1, 1, 1]}]}

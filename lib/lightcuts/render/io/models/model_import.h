@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <string_view>
 
 #include <lightcuts/render/scene/scene.h>
 
 namespace lightcuts {
+
+/// The extensions of the files that import_model() reads; upper and lower case do not matter.
+inline constexpr std::array<std::string_view, 3> model_extensions{".obj", ".gltf", ".glb"};
 
 /// Reads a Wavefront `.obj` with its `.mtl`, or a glTF 2.0 `.gltf`/`.glb`.
 ///
