@@ -104,7 +104,7 @@ std::unique_ptr<SubjectTree> tree_of(Method method, const LightTree& tree) {
 
 /// Whether a row has cuts that do not draw, which is what can be compared.
 bool has_clairvoyant_cut(const Row& row) {
-  return row.config.method != methods::reference && !row.config.method->draws;
+  return row.config.method->cuts && !row.config.method->draws;
 }
 
 /// Of those rows that have a clairvoyant cut, in their order: cut sizes over random points, whose
