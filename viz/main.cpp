@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/files/output_folder.h>
 #include <viz/gl/context/gl_error.h>
 #include <viz/options.h>
 #include <viz/panels/app/offscreen.h>

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <lightcuts/render/io/scene_files.h>
 #include <oracle/options/scene_options.h>
 #include <oracle/options/values.h>
 #include <viz/model/layers/all_layers.h>
@@ -151,9 +152,8 @@ void add_options(CLI::App& command, Options& options) {
   add_state_option(command, options);
   options.view.open.spec = default_scene;
   options::add_scene_options(command, options.view.open, "--image-size");
-  command.get_option("SCENE")->description(
-      "a built-in scene, a .json, .obj, .gltf or .glb file, or a counterexample of "
-      "lightcuts-oracle");
+  command.get_option("SCENE")->description("a built-in scene, a " + scene_extensions_text() +
+                                           " file, or a counterexample of lightcuts-oracle");
   add_shading_options(command, options.view);
   add_view_options(command, options);
   add_window_options(command, options);

@@ -30,10 +30,10 @@ struct CheckResult {
   std::uint64_t points = 0;         ///< shading points visited
   std::uint64_t pairs = 0;          ///< (node, shading point) pairs
   std::uint64_t rays = 0;           ///< shadow rays compared with brute force
-  std::uint64_t undecided_rays = 0; ///< of them, too near an edge for rounding to decide
+  std::uint64_t undecided_rays = 0; ///< shadow rays too near an edge for rounding to decide
   double seconds = 0;               ///< wall time
-  std::uint64_t swept_pairs = 0;    ///< pairs whose bounds alone were checked, many at a time,
-  double sweep_seconds = 0;         ///< and the time that took, summed over threads
+  std::uint64_t swept_pairs = 0;    ///< pairs whose bounds alone were checked, many at a time
+  double sweep_seconds = 0;         ///< time that swept_pairs took, summed over threads
   bool complete = true;             ///< false: out of time, cancelled, or the subject failed
 };
 

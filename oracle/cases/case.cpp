@@ -8,7 +8,7 @@
 
 #include <oracle/cases/random_pixels.h>
 #include <oracle/cases/simpler.h>
-#include <oracle/records/simpler_values.h>
+#include <oracle/cases/simpler_values.h>
 
 namespace lightcuts::oracle {
 namespace {

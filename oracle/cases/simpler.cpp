@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <oracle/records/simpler_values.h>
+#include <oracle/cases/simpler_values.h>
 
 namespace lightcuts::gen {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <oracle/cases/dice.h>
+#include <oracle/numbers/dice.h>
 #include <oracle/records/record_literal.h>
 #include <oracle/records/record_text.h>
 #include <oracle/truth/kinds.h>

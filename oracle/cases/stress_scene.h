@@ -8,7 +8,7 @@
 
 #include <lightcuts/core/lights/light_set.h>
 #include <lightcuts/core/lobes/shading_point.h>
-#include <oracle/cases/dice.h>
+#include <oracle/numbers/dice.h>
 
 /// Random scenes of what this field finds hard: exact ties, clumps, lights on the surface and at
 /// the shading point, scales that differ by 10^30, the ends of the float range, mirrors seen along

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/files/output_folder.h>
 #include <oracle/cli/common.h>
 
 namespace lightcuts::cli {

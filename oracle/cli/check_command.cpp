@@ -19,10 +19,10 @@
 #include <oracle/cli/progress_line.h>
 #include <oracle/cli/property_table.h>
 #include <oracle/cli/subjects.h>
+#include <oracle/numbers/same_digits.h>
 #include <oracle/options/count.h>
 #include <oracle/options/scene_options.h>
 #include <oracle/records/record_json.h>
-#include <oracle/records/same_digits.h>
 
 namespace lightcuts::cli {
 namespace {
@@ -177,7 +177,9 @@ void add_check_command(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("check", "Check every property on a scene.");
   add_common_options(*command, *options);
   options::add_threshold_option(*command, options->threshold);
-  add_json_folder_option(*command, *options);
+  command->add_option("--out", options->out,
+                      "folder for check.json and for what fails, counterexample-PROPERTY.json; "
+                      "default: no check.json, counterexamples to out/SCENE");
   add_cases_option(*command, *options);
   add_subject_options(*command, *options);
   command

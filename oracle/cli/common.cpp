@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/files/output_folder.h>
 #include <lightcuts/render/view/renderer.h>
 #include <lightcuts/render/view/scene_features.h>
 #include <oracle/options/count.h>

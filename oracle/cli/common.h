@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <lightcuts/core/tree/tree_builder.h>
-#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/files/output_folder.h>
 #include <lightcuts/render/io/scene_request.h>
 #include <lightcuts/render/view/scene_features.h>
 #include <lightcuts/render/view/scene_view.h>

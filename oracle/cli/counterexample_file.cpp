@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <lightcuts/render/io/output_folder.h>
-#include <oracle/cases/counterexample_json.h>
+#include <lightcuts/render/files/output_folder.h>
+#include <oracle/counterexamples/counterexample_json.h>
 
 namespace lightcuts::cli {
 namespace {

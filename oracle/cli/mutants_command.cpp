@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/files/output_folder.h>
 #include <oracle/campaign/hunt.h>
-#include <oracle/cases/counterexample_json.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
 #include <oracle/cli/progress_line.h>
 #include <oracle/cli/subjects.h>
+#include <oracle/counterexamples/counterexample_json.h>
 #include <oracle/mutants/mutants.h>
 #include <oracle/options/count.h>
 #include <oracle/options/values.h>

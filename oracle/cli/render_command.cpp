@@ -11,8 +11,8 @@
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
 #include <oracle/cli/progress_line.h>
+#include <oracle/numbers/same_digits.h>
 #include <oracle/options/scene_options.h>
-#include <oracle/records/same_digits.h>
 #include <oracle/report/plots/pictures.h>
 
 namespace lightcuts::cli {
@@ -42,8 +42,7 @@ int run(const RenderOptions& options) {
   const SceneFeatures features = find_scene_features(view, tree, config.cut);
   config.cut.black_level = features.black_level;
   config.use_tree = features.tree;
-  const bool uses_tree =
-      config.method == methods::lightcuts ? features.tree : config.method != methods::reference;
+  const bool uses_tree = config.method == methods::lightcuts ? features.tree : config.method->cuts;
   Rendering rendering;
   {
     ProgressLine line("render " + options.open.spec);
@@ -73,8 +72,7 @@ int run(const RenderOptions& options) {
   const std::string table = fmt::format(
       "{}, {}: {:.2f} s, {:.1f} of {} lights and {:.1f} shadow rays per pixel{}\nwritten to {}\n",
       scene.name, options.method, rendering.seconds, cut_size, scene.lights.size(), rays,
-      uses_tree || config.method == methods::reference ? "" : " (no light tree: it would not pay)",
-      out.string());
+      uses_tree || !config.method->cuts ? "" : " (no light tree: it would not pay)", out.string());
   print_results(options, table, text_of(json));
   return all_holds;
 }

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <oracle/cases/as_test.h>
-#include <oracle/cases/counterexample_json.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
 #include <oracle/cli/subjects.h>
+#include <oracle/counterexamples/as_test.h>
+#include <oracle/counterexamples/counterexample_json.h>
 #include <oracle/explain/explain.h>
 
 namespace lightcuts::cli {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <oracle/subjects/subjects.h>
+#include <oracle/counterexamples/named_subjects.h>
 
 namespace CLI {
 class App;

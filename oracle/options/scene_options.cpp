@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <lightcuts/render/io/scene_files.h>
+
 #include <oracle/options/values.h>
 
 namespace lightcuts::options {
@@ -49,8 +51,8 @@ void add_light_options(CLI::App& command, SceneRequest& request) {
 void add_scene_options(CLI::App& command, SceneRequest& request, const std::string& size_option) {
   command
       .add_option("SCENE", request.spec,
-                  "a built-in scene (see 'lightcuts-oracle scenes'), or a .json, .obj, .gltf or "
-                  ".glb file")
+                  "a built-in scene (see 'lightcuts-oracle scenes'), or a " +
+                      scene_extensions_text() + " file")
       ->capture_default_str();
   command
       .add_option_function<std::string>(

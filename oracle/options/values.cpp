@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <lightcuts/render/io/open_scene.h>
+#include <lightcuts/render/scene/scene.h>
 #include <oracle/options/count.h>
 
 namespace lightcuts::options {

@@ -15,7 +15,7 @@ struct BothSides {
   std::array<Exact, 3> left;
   std::array<double, 3> right;
   std::string rows = {};       ///< what else comes into it, see text_rows.h
-  bool must_be_finite = false; ///< and that is what it is about
+  bool must_be_finite = false; ///< all that is claimed is that the right side is finite
 };
 
 /// The truth, and the subject's bound.

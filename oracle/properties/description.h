@@ -65,10 +65,11 @@ struct PropertyInfo {
 
   // What explain() shows beyond what it shows of every tree, cluster or cut.
   std::string (*node_rows)(const TreeCase&, std::uint32_t node) = nullptr;
-  BothSides (*sides)(const PointAnswers&, std::uint32_t node) = nullptr; ///< default: of the bound
+  BothSides (*sides)(const PointAnswers&, std::uint32_t node) = nullptr; ///< default: bound_sides()
   std::string (*parting)(const CutAnswer&) =
       nullptr; ///< where the two sides part; default: message
-  TwoCuts (*two_cuts)(const PointAnswers&, const CutConfig&) = nullptr; ///< that are compared
+  TwoCuts (*two_cuts)(const PointAnswers&,
+                      const CutConfig&) = nullptr; ///< the cuts that are compared
 };
 
 /// The descriptions, each defined in the file of its name.

@@ -22,6 +22,10 @@ glm::dvec3 seen_estimate(const Judged& judged, std::uint32_t node, const PointCa
   return judged.tree.estimate(node, at.point, bound);
 }
 
+glm::dvec3 seen_estimate(const Judged& judged, std::uint32_t node, const PointCase& at) {
+  return seen_estimate(judged, node, at, judged.tree.bound(node, at.point));
+}
+
 std::span<const glm::vec3> PointAnswers::bounds() const {
   if (bounds_.empty()) {
     bounds_.resize(topology().size());

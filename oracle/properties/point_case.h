@@ -43,6 +43,9 @@ struct Judged {
 /// counts as seen, and so does one that the subject does not name.
 [[nodiscard]] glm::dvec3 seen_estimate(const Judged& judged, std::uint32_t node,
                                        const PointCase& at, const glm::vec3& bound);
+/// seen_estimate() given the subject's own bound.
+[[nodiscard]] glm::dvec3 seen_estimate(const Judged& judged, std::uint32_t node,
+                                       const PointCase& at);
 
 /// What a subject's tree answers at a shading point; of all clusters, when first asked for.
 class PointAnswers {

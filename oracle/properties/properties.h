@@ -27,21 +27,22 @@ inline constexpr std::array all_properties{LIGHTCUTS_PROPERTIES(LIGHTCUTS_LISTED
 inline constexpr std::size_t property_count = all_properties.size();
 
 [[nodiscard]] const PropertyInfo& info(Property property);
-/// Of all, in their order: for the fields of records.
+/// The names of all properties, in their order: for the fields of records.
 [[nodiscard]] std::array<const char*, property_count> names_of(Property any);
 [[nodiscard]] std::optional<Property> property_named(std::string_view name);
 
-/// What it means that a subject of such parts and claims breaks the property.
+/// Whether it is a violation or a waste that a subject of such parts and claims breaks the
+/// property.
 [[nodiscard]] Severity severity_of(Property property, Parts parts);
 
 /// Counts of one property.
 struct PropertyCount {
   std::uint64_t cases = 0;
   std::uint64_t violations = 0;
-  Severity severity = Severity::violation; ///< of those
+  Severity severity = Severity::violation; ///< of the violations
   /// Largest left side / right side of the formula; 1 is the limit. Negative: a yes-or-no property.
   double worst_ratio = -1;
-  /// Of the violation found at the lowest place: where, and the values on both sides.
+  /// Says of the violation found at the lowest place where it is, and the values on both sides.
   std::string first_violation;
   std::uint64_t first_place = std::numeric_limits<std::uint64_t>::max();
 

@@ -7,8 +7,8 @@
 
 #include <glm/geometric.hpp>
 
-#include <oracle/cases/hex_float.h>
-#include <oracle/records/same_digits.h>
+#include <oracle/numbers/hex_float.h>
+#include <oracle/numbers/same_digits.h>
 
 namespace lightcuts::oracle {
 namespace {

@@ -12,7 +12,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <lightcuts/core/records/fields.h>
-#include <oracle/cases/hex_float.h>
+#include <oracle/numbers/hex_float.h>
 #include <oracle/records/bits.h>
 #include <oracle/records/kinds_of_value.h>
 

@@ -14,7 +14,8 @@
 #include <lightcuts/core/methods/paper.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <oracle/cases/random_pixels.h>
-#include <oracle/records/same_digits.h>
+#include <oracle/numbers/same_digits.h>
+#include <oracle/properties/point_case.h>
 #include <oracle/report/image_error.h>
 #include <oracle/subjects/library_subject.h>
 #include <oracle/truth/clairvoyant.h>
@@ -103,7 +104,7 @@ std::unique_ptr<SubjectTree> tree_of(Method method, const LightTree& tree) {
 
 /// Whether a row has cuts that do not draw, which is what can be compared.
 bool has_clairvoyant_cut(const Row& row) {
-  return row.config.method != methods::reference && !row.config.method->draws;
+  return row.config.method->cuts && !row.config.method->draws;
 }
 
 /// Of those rows that have a clairvoyant cut, in their order: cut sizes over random points, whose
@@ -134,8 +135,9 @@ std::vector<SampledRow> sample_sizes(const SceneView& view, const LightTree& tre
       const Judged judged{*row.subject,
                           only(Part::bounds) | only(Part::estimates) | only(Part::cuts)};
       const PointCase at{i, p.point, visible, truth};
+      const auto estimate = [&](std::uint32_t node) { return seen_estimate(judged, node, at); };
       const std::size_t clairvoyant =
-          clairvoyant_cut_size(judged, at, row.cut.threshold, row.cut.black_level);
+          clairvoyant_cut_size(truth, estimate, row.cut.threshold, row.cut.black_level);
       row.clairvoyant += double(clairvoyant) / double(points);
       row.actual +=
           double(row.subject->select(p.point, row.cut, seen).clusters.size()) / double(points);

@@ -30,7 +30,7 @@ struct Run {
   double speedup_over_reference = 1;
   double efficiency = 0;       ///< 1 / (rel_rmse^2 render_seconds); 0 for the reference
   double optimal_cut_size = 0; ///< mean clairvoyant cut over a sample of pixels; 0: not measured
-  double cut_efficiency = 0;   ///< that / the mean cut there
+  double cut_efficiency = 0;   ///< optimal_cut_size / mean size of the same pixels' cuts
 };
 
 /// Everything that a report shows.

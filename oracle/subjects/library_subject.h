@@ -24,7 +24,7 @@ namespace lightcuts::oracle {
 /// A kernel of a subject, shared by the threads that judge it.
 using SharedKernel = std::shared_ptr<const ClusterKernel>;
 
-/// The library's own by these rules.
+/// The library's own kernel by these rules.
 [[nodiscard]] SharedKernel library_kernel(LightKinds kinds, const ClusterRules& rules = {});
 
 /// A cut loop for each configuration that is asked for: a loop keeps its memory from call to call.
@@ -47,7 +47,7 @@ class BasicLibraryTree : public SubjectTree {
 public:
   explicit BasicLibraryTree(LightTree tree, SharedKernel kernel = {})
       : BasicLibraryTree(std::make_shared<const LightTree>(std::move(tree)), std::move(kernel)) {}
-  /// Of trees that share all but what a thread needs for itself. No kernel: the library's.
+  /// Shares the tree, as do all that are made for other threads. No kernel: the library's.
   explicit BasicLibraryTree(std::shared_ptr<const LightTree> tree, SharedKernel kernel = {})
       : tree_(std::move(tree)),
         kernel_(kernel ? std::move(kernel) : library_kernel(tree_->lights().kinds())) {}
@@ -103,8 +103,8 @@ private:
 
 using LibraryTree = BasicLibraryTree<HierarchicalImportance>;
 
-/// The library's own: the same answers, sooner where there are many at once. Not to be derived
-/// from: it would go on answering these itself.
+/// A tree of the library that answers like BasicLibraryTree, sooner where there is much to be
+/// answered at once. Not to be derived from: it would go on answering that itself.
 template <class Importance = HierarchicalImportance>
 class BatchedTree final : public BasicLibraryTree<Importance> {
 public:

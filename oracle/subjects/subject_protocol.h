@@ -27,7 +27,7 @@ enum class Request : std::uint32_t {
   build,         ///< Build, lights -> count of nodes (32 bits); destroys the tree before
   describe,      ///< -> counts of nodes, children and lights (64 bits each), Node..., them
   bounds,        ///< point -> 3 floats of each node
-  lower_bounds,  ///< the same
+  lower_bounds,  ///< point -> 3 floats of each node
   estimates,     ///< point, first node, count, 3 floats of each -> 3 doubles of each
   select,        ///< point, config, a byte for each light -> Cut, clusters
   samples,       ///< point, node, count, doubles -> Draw of each

@@ -7,16 +7,15 @@
 
 namespace lightcuts::oracle {
 
-std::size_t clairvoyant_cut_size(const Judged& judged, const PointCase& at, double threshold,
-                                 double black_level) {
-  const Topology& tree = at.topology();
+std::size_t clairvoyant_cut_size(const Truth& truth, const EstimateOfCluster& estimate_of,
+                                 double threshold, double black_level) {
+  const Topology& tree = truth.topology();
   const auto qualifies = [&](std::uint32_t i) {
     if (tree.is_leaf(i)) return true;
-    const glm::dvec3 estimate = seen_estimate(judged, i, at, judged.tree.bound(i, at.point));
+    const glm::dvec3 estimate = estimate_of(i);
     for (int c = 0; c < 3; ++c) {
-      const long double allowed =
-          std::max<long double>(threshold * at.truth.seen(0)[c], black_level);
-      if (std::abs(estimate[c] - at.truth.seen(i)[c]) > allowed) return false;
+      const long double allowed = std::max<long double>(threshold * truth.seen(0)[c], black_level);
+      if (std::abs(estimate[c] - truth.seen(i)[c]) > allowed) return false;
     }
     return true;
   };

@@ -69,8 +69,8 @@ private:
   double min_distance2_;
   double error_;                                ///< relative, of all that is computed
   std::vector<float> x_, y_, z_;                ///< of the leaves' lights, metres
-  std::vector<std::array<float, 3>> intensity_; ///< likewise, W/sr
-  std::vector<std::uint32_t> leaves_;           ///< their nodes
+  std::vector<std::array<float, 3>> intensity_; ///< of the leaves' lights, W/sr
+  std::vector<std::uint32_t> leaves_;           ///< nodes of one light
   std::vector<Inner> inner_;                    ///< the other nodes, children first
   std::vector<double> transfer_; ///< per leaf: n.q / (|q| max(|q|^2, min_distance^2)), 1/m^2
   std::vector<Sum> sums_;        ///< per node: the sum of intensity times transfer

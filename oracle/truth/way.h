@@ -33,7 +33,7 @@ struct Way {
   [[nodiscard]] Real cosine_with(const glm::vec3& u) const {
     return dot_between<Real>(u, from, to) / (length<Real>(u) * distance);
   }
-  /// It in 700 bits: for what cancels too many digits of Real.
+  /// This way in 700 bits: for what cancels too many digits of Real.
   [[nodiscard]] Way<Exact> exact() const { return {point, from, to}; }
 };
 

@@ -26,6 +26,7 @@ void expect_common_defaults(const std::string& help) {
 
 TEST(Help, OfCheckShowsEveryDefault) {
   const std::string help = help_of("check");
+  EXPECT_THAT(help, HasSubstr("counterexamples to out/SCENE"));
   expect_common_defaults(help);
   EXPECT_THAT(help, HasSubstr("--threshold TEXT=auto"));
   EXPECT_THAT(help, HasSubstr("--cases TEXT=1e7"));

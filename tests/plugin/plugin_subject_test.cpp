@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/core/jobs/seconds_since.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 #include <lightcuts/render/io/open_scene.h>
-#include <lightcuts/render/scene/builtin_scenes.h>
 #include <oracle/campaign/check.h>
 #include <oracle/campaign/hunt.h>
 #include <oracle/properties/judge.h>

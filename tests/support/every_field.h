@@ -14,7 +14,7 @@
 #include <glm/geometric.hpp>
 #include <lightcuts/core/lights/light.h>
 #include <lightcuts/core/records/fields.h>
-#include <oracle/cases/dice.h>
+#include <oracle/numbers/dice.h>
 #include <oracle/records/bits.h>
 #include <oracle/records/kinds_of_value.h>
 

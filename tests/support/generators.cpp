@@ -6,8 +6,8 @@
 #include <ostream>
 #include <utility>
 
-#include <oracle/cases/dice.h>
 #include <oracle/cases/simpler.h>
+#include <oracle/numbers/dice.h>
 
 namespace lightcuts::gen {
 namespace {

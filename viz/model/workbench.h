@@ -11,10 +11,10 @@
 #include <oracle/report/measure.h>
 
 #include <viz/model/cut/inspection.h>
+#include <viz/model/jobs/worker.h>
 #include <viz/model/layers/layer_values.h>
 #include <viz/model/picture/picture_queue.h>
 #include <viz/model/state/view_state.h>
-#include <viz/model/worker.h>
 
 namespace lightcuts::viz {
 

@@ -14,7 +14,7 @@ namespace lightcuts::oracle {
 /// How many draws there are.
 struct DrawConfig {
   double false_alarms = 1e-6; ///< chance of any, in all cases of a run taken together
-  std::uint64_t cases = 1;    ///< that share it, each test having its Sidak share
+  std::uint64_t cases = 1;    ///< that share false_alarms, each test having its Sidak share
   std::uint64_t max_draws = 4'000'000;
   std::uint64_t seed = 1;
 };
@@ -45,14 +45,14 @@ public:
 
   Draws(const PointAnswers& answers, const CutConfig& asked, const DrawConfig& config);
 
-  /// How many; none where that takes more than max_draws, or nothing is to be seen.
+  /// How many draws there are; none where that takes more than max_draws, or nothing is to be seen.
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] double rate() const { return rate_; } ///< of false alarms, for one test
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
   [[nodiscard]] const std::vector<RandomCluster>& clusters() const { return clusters_; }
-  /// In which most is to be seen.
+  /// The channel in which most is to be seen.
   [[nodiscard]] std::size_t brightest_channel() const { return channel_; }
-  /// Of the radiance.
+  /// How the radiance of a random cut is spread.
   [[nodiscard]] const Spread& spread(std::size_t channel) const { return spread_[channel]; }
   [[nodiscard]] const DrawSums& sums() const;
 

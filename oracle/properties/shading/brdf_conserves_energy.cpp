@@ -6,19 +6,11 @@
 #include <fmt/format.h>
 
 #include <oracle/properties/properties.h>
+#include <oracle/records/record_text.h>
 #include <oracle/truth/white_furnace.h>
 
 namespace lightcuts::oracle {
 namespace {
-
-std::string name_of(const NoLobe& /*lobe*/) { return "diffuse"; }
-std::string name_of(const Phong& phong) {
-  return fmt::format("Phong, exponent {:g}", phong.exponent);
-}
-std::string name_of(const Ward& ward) { return fmt::format("Ward, alpha {:g}", ward.alpha); }
-std::string name_of(const CookTorrance& lobe) {
-  return fmt::format("Cook-Torrance, alpha {:g}", lobe.alpha);
-}
 
 /// Between viewer and normal, in degrees.
 constexpr std::array viewer_angles{0.0, 45.0, 75.0, 85.0, 89.9};
@@ -30,8 +22,8 @@ void check_lobe(const OneLobe& lobe, const Recorder& record) {
     const Furnace furnace = white_furnace(lobe, angle);
     const double most = most_reflected(lobe, std::cos(angle)) + furnace.error;
     record(furnace.value <= most, ratio_of(furnace.value, most), [&] {
-      return fmt::format("{}, viewer at {:g} degrees: reflects {:.9g}, at most {:.9g}",
-                         name_of(lobe), degrees, furnace.value, most);
+      return fmt::format("lobe {}, viewer at {:g} degrees: reflects {:.9g}, at most {:.9g}",
+                         text_of(Lobe(lobe)), degrees, furnace.value, most);
     });
   }
 }

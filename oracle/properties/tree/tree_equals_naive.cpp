@@ -27,7 +27,8 @@ void check(const TreeCase& of, const Recorder& record) {
 
 const PropertyInfo property::tree_equals_naive{
     .name = "tree-equals-naive",
-    .statement = "The tree costs no more than the one that greedy clustering defines.",
+    .statement = "The tree costs no more than the one that greedy clustering defines; asked of "
+                 "trees that are greedy.",
     .formula = "sum of intensity * squared size over clusters <= that of the naive tree (1 + "
                "2^-40)",
     .severity = Severity::waste,

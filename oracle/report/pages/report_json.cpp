@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <oracle/records/same_digits.h>
+#include <oracle/numbers/same_digits.h>
 #include <oracle/report/pages/run_columns.h>
 
 namespace lightcuts::oracle {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <lightcuts/render/io/images/colour_map.h>
+#include <lightcuts/render/images/colour_map.h>
 #include <lightcuts/version.h>
 #include <oracle/report/image_error.h>
 

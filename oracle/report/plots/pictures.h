@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include <lightcuts/render/io/images/film.h>
-#include <lightcuts/render/io/output_folder.h>
+#include <lightcuts/render/files/output_folder.h>
+#include <lightcuts/render/images/film.h>
 #include <lightcuts/render/view/renderer.h>
 
 namespace lightcuts::oracle {

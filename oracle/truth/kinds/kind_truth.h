@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 #include <lightcuts/core/lights/light.h>
-#include <oracle/cases/dice.h>
+#include <oracle/numbers/dice.h>
 #include <oracle/truth/vectors.h>
 
 namespace lightcuts::oracle::radiometry {

@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <lightcuts/core/lobes/material.h>
-#include <oracle/cases/dice.h>
+#include <oracle/numbers/dice.h>
 #include <oracle/truth/lobes/direction_density.h>
 #include <oracle/truth/way.h>
 

@@ -2,7 +2,7 @@
 #include <lightcuts/core/geometry/difference_box.h>
 
 #include <gtest/gtest.h>
-#include <oracle/cases/dice.h>
+#include <oracle/numbers/dice.h>
 
 #include <tests/support/precise.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/core/methods/all_methods.h>
 
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <string>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <tests/support/readme.h>
 
 namespace lightcuts {
 namespace {
@@ -31,13 +31,10 @@ TEST(AllMethods, SayWhatTheyMeanInOneSentence) {
 }
 
 TEST(AllMethods, StandInTheReadmesTableInTheirOrder) {
-  std::ifstream file(LIGHTCUTS_README);
-  std::stringstream readme;
-  readme << file.rdbuf();
   std::string table;
   for (const Method method : all_methods)
     table += fmt::format("| `{}` | {} |\n", method->name, method->meaning);
-  EXPECT_NE(readme.str().find("|---|---|\n" + table + "\n"), std::string::npos)
+  EXPECT_NE(test::readme().find("|---|---|\n" + table + "\n"), std::string::npos)
       << "README.md should have:\n"
       << table;
 }

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 #include <tests/oracle/support/judged_point.h>
 
 namespace lightcuts::oracle {

@@ -2,7 +2,7 @@
 #include <oracle/campaign/scene_case.h>
 
 #include <gtest/gtest.h>
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 #include <oracle/cases/random_pixels.h>
 #include <oracle/mutants/mutants.h>
 #include <oracle/subjects/library_subject.h>

@@ -2,8 +2,8 @@
 #include <oracle/explain/failing_place.h>
 
 #include <gtest/gtest.h>
+#include <oracle/counterexamples/named_subjects.h>
 #include <oracle/properties/cut_answer.h>
-#include <oracle/subjects/subjects.h>
 
 namespace lightcuts::oracle {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 #include <oracle/campaign/hunt.h>
-#include <oracle/cases/counterexample_json.h>
+#include <oracle/counterexamples/counterexample_json.h>
 #include <oracle/properties/judge.h>
 #include <oracle/subjects/library_subject.h>
 

@@ -6,8 +6,11 @@
 #include <limits>
 #include <set>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include <tests/support/readme.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -117,6 +120,19 @@ TEST(Info, NamesPropertiesAsTheTableDoes) {
     std::replace(name.begin(), name.end(), '_', '-');
     EXPECT_EQ(info(p).name, name);
   }
+}
+
+TEST(Info, StandsInTheReadmesTableInItsOrder) {
+  std::string table = "| property | |\n|---|---|\n";
+  for (const Property property : all_properties) {
+    const PropertyInfo& p = info(property);
+    const char* note = p.severity == Severity::waste   ? " (waste)"
+                       : p.promise == Promise::library ? " (ours)"
+                                                       : "";
+    table += fmt::format("| `{}`{} | {} |\n", p.name, note, p.statement);
+  }
+  EXPECT_NE(test::readme().find(table + "\n"), std::string::npos) << "README.md should have:\n"
+                                                                  << table;
 }
 
 } // namespace

@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <oracle/cases/as_test.h>
 #include <oracle/cases/case_text.h>
-#include <oracle/cases/counterexample_json.h>
+#include <oracle/counterexamples/as_test.h>
+#include <oracle/counterexamples/counterexample_json.h>
 #include <oracle/records/record_literal.h>
 #include <tests/support/every_field.h>
 #include <tests/support/member_count.h>

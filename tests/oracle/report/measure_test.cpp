@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <lightcuts/core/input_error.h>
 
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 
 #include <tests/oracle/support/small_scene.h>
 

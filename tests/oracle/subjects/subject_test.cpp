@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/core/kernels/contribution_bound.h>
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 #include <lightcuts/render/view/renderer.h>
 #include <oracle/subjects/library_subject.h>
 

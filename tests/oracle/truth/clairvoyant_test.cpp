@@ -50,8 +50,10 @@ std::vector<std::size_t> sizes_of_good_cuts(const JudgedPoint& judged, std::uint
 
 std::size_t found(const JudgedPoint& judged, const Limits& limits) {
   LibraryTree paper(judged.tree, library_kernel(all_light_kinds, methods::paper.rules));
-  return clairvoyant_cut_size({paper, library_parts}, judged.at(), limits.threshold,
-                              limits.black_level);
+  const auto estimate = [&](std::uint32_t node) {
+    return seen_estimate({paper, library_parts}, node, judged.at());
+  };
+  return clairvoyant_cut_size(judged.truth, estimate, limits.threshold, limits.black_level);
 }
 
 RC_GTEST_PROP(ClairvoyantCut, IsTheSmallestOfAllGoodCuts, ()) {

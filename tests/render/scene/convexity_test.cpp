@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include <lightcuts/render/scene/shapes.h>
+#include <lightcuts/render/builtin/shapes.h>
 
 namespace lightcuts {
 namespace {

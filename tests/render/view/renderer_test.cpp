@@ -12,9 +12,9 @@
 #include <lightcuts/core/cut/stochastic_cut.h>
 #include <lightcuts/core/cut/sum_lights.h>
 #include <lightcuts/core/tree/tree_builder.h>
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 
-#include <lightcuts/render/scene/shapes.h>
+#include <lightcuts/render/builtin/shapes.h>
 
 namespace lightcuts {
 namespace {

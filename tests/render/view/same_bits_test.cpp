@@ -17,7 +17,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <lightcuts/core/tree/tree_builder.h>
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 #include <lightcuts/render/view/scene_features.h>
 
 namespace lightcuts {

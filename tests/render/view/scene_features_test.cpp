@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <lightcuts/core/tree/tree_builder.h>
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 
 namespace lightcuts {
 namespace {

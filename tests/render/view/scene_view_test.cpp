@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <lightcuts/core/kernels/transfer.h>
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 
-#include <lightcuts/render/scene/shapes.h>
+#include <lightcuts/render/builtin/shapes.h>
 
 namespace lightcuts {
 namespace {

@@ -2,9 +2,9 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
-#include <lightcuts/render/io/output_folder.h>
-#include <oracle/cases/counterexample_json.h>
-#include <oracle/subjects/subjects.h>
+#include <lightcuts/render/files/output_folder.h>
+#include <oracle/counterexamples/counterexample_json.h>
+#include <oracle/counterexamples/named_subjects.h>
 
 #include <tests/render/support/temporary_folder.h>
 #include <tests/viz/support/gui_robot.h>

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
-#include <lightcuts/render/io/images/film.h>
+#include <lightcuts/render/images/film.h>
 
 #include <tests/render/support/temporary_folder.h>
 #include <tests/viz/support/gui_robot.h>

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <lightcuts/render/io/images/film.h>
+#include <lightcuts/render/images/film.h>
 
 #include <tests/viz/support/gui_robot.h>
 #include <viz/model/layers/all_layers.h>

@@ -5,8 +5,8 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <oracle/cases/counterexample_json.h>
-#include <oracle/subjects/subjects.h>
+#include <oracle/counterexamples/counterexample_json.h>
+#include <oracle/counterexamples/named_subjects.h>
 #include <viz/model/scene/opened_scene.h>
 
 #include <tests/render/support/temporary_folder.h>

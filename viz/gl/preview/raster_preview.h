@@ -11,9 +11,9 @@
 
 #include <viz/gl/context/gl_objects.h>
 #include <viz/gl/preview/preview_material.h>
-#include <viz/gl/preview/scene_mesh.h>
 #include <viz/gl/preview/scene_textures.h>
 #include <viz/gl/scene/light_batch.h>
+#include <viz/gl/scene/scene_mesh.h>
 #include <viz/gl/scene/view_frame.h>
 
 namespace lightcuts::viz {

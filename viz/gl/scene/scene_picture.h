@@ -11,9 +11,9 @@
 #include <lightcuts/render/scene/scene.h>
 
 #include <viz/gl/context/gl_objects.h>
-#include <viz/gl/preview/scene_mesh.h>
 #include <viz/gl/scene/orbit_camera.h>
 #include <viz/gl/scene/overlay_painter.h>
+#include <viz/gl/scene/scene_mesh.h>
 #include <viz/model/cut/overlay.h>
 
 namespace lightcuts::viz {

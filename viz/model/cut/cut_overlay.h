@@ -6,7 +6,7 @@
 #include <span>
 
 #include <glm/vec3.hpp>
-#include <lightcuts/render/io/images/colour_map.h>
+#include <lightcuts/render/images/colour_map.h>
 
 #include <viz/model/cut/cluster_row.h>
 #include <viz/model/cut/overlay.h>

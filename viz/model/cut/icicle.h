@@ -74,10 +74,11 @@ public:
   /// Pixels from which to which a node lies, maybe outside the window.
   [[nodiscard]] glm::dvec2 extent(const IcicleView& view, std::uint32_t node) const;
 
-  /// These views are valid whatever is asked for: within [0, 1], one light wide at least, and
-  /// scrolled no further than the last row.
-  /// Magnified by factor > 0, or reduced where < 1; what is at the pixel x stays there unless the
-  /// tree's edge comes into sight.
+  // Views that are valid whatever is asked for: within [0, 1], one light wide at least, and
+  // scrolled no further than the last row.
+
+  /// The view magnified by factor > 0, or reduced where < 1; what is at the pixel x stays there
+  /// unless the tree's edge comes into sight.
   [[nodiscard]] IcicleView zoomed(const IcicleView& view, float x, double factor) const;
   /// Moves what is shown by so many pixels to the right and so many rows down.
   [[nodiscard]] IcicleView panned(const IcicleView& view, float right, int down) const;
@@ -89,7 +90,7 @@ public:
 
 private:
   struct Canvas;
-  /// Of positions.
+  /// Positions first, first + 1 ... last - 1.
   struct Range {
     std::uint32_t first, last;
   };

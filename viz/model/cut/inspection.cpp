@@ -261,9 +261,10 @@ bool add_truth(const InspectionKey& key, Inspection& inspection, const Progress&
   if (!place.offers(oracle::Part::bounds) || !place.offers(oracle::Part::estimates)) return true;
   const auto tree = place.tree();
   const oracle::Judged judged{*tree, place.scene().parts()};
-  inspection.clairvoyant =
-      clairvoyant_cut_size(judged, {0, place.point(), known.visible, known.truth},
-                           inspection.config.threshold, inspection.config.black_level);
+  const oracle::PointCase at{0, place.point(), known.visible, known.truth};
+  const auto estimate = [&](std::uint32_t node) { return seen_estimate(judged, node, at); };
+  inspection.clairvoyant = clairvoyant_cut_size(known.truth, estimate, inspection.config.threshold,
+                                                inspection.config.black_level);
   return true;
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <lightcuts/render/io/images/film.h>
+#include <lightcuts/render/images/film.h>
 
 namespace lightcuts::viz {
 namespace {

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
-#include <lightcuts/render/io/images/colour_map.h>
+#include <lightcuts/render/images/colour_map.h>
 
+#include <viz/model/layers/colour_settings.h>
 #include <viz/model/layers/layer_values.h>
-#include <viz/model/state/view_state.h>
 
 namespace lightcuts::viz {
 

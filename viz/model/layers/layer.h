@@ -16,8 +16,8 @@ class TruthPicture;
 /// A pixel that sees a surface, with all that a layer may make its value of.
 struct LayerPixel {
   const Rendering& picture;
-  const Rendering* reference; ///< of layers that need it, else maybe null
-  const TruthPicture* truth;  ///< likewise
+  const Rendering* reference; ///< not null where LayerInfo::needs asks for it
+  const TruthPicture* truth;  ///< not null where LayerInfo::needs asks for it
   float black_level;          ///< of the picture's cuts, radiance
   std::size_t i;              ///< the pixel, row by row from the top left
 };

@@ -8,7 +8,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <lightcuts/render/io/images/colour_map.h>
+#include <lightcuts/render/images/colour_map.h>
 
 #include <viz/model/layers/layer.h>
 #include <viz/model/picture/frame.h>

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include <viz/model/picture/picture.h>
-#include <viz/model/state/shading_settings.h>
+#include <viz/model/picture/shading_settings.h>
 
 namespace lightcuts::viz {
 

@@ -5,9 +5,9 @@
 #include <mutex>
 #include <vector>
 
+#include <viz/model/jobs/worker.h>
 #include <viz/model/picture/frame.h>
 #include <viz/model/picture/truth_picture.h>
-#include <viz/model/worker.h>
 
 namespace lightcuts::viz {
 

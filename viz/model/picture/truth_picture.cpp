@@ -35,8 +35,10 @@ void TruthPicture::judge(glm::uvec2 pixel, State& state) {
   const std::size_t i = std::size_t(pixel.y) * size().x + pixel.x;
   // Where it is not known, a pixel that sees a surface has 1 all the same.
   clairvoyant_[i] = 1;
+  const auto estimate = [&](std::uint32_t node) { return seen_estimate(judged, node, at); };
   if (judged.has(oracle::Part::bounds) && judged.has(oracle::Part::estimates))
-    clairvoyant_[i] = float(clairvoyant_cut_size(judged, at, cut_.threshold, cut_.black_level));
+    clairvoyant_[i] =
+        float(clairvoyant_cut_size(state.truth, estimate, cut_.threshold, cut_.black_level));
   oracle::Tally tally;
   const oracle::Judge judge(judged.parts, 0, tally);
   const oracle::PointAnswers answers(judged, at);

@@ -12,10 +12,10 @@
 #include <lightcuts/core/jobs/seconds_since.h>
 #include <lightcuts/render/lighting/light_generator.h>
 #include <lightcuts/render/view/scene_features.h>
+#include <oracle/counterexamples/named_subjects.h>
 #include <oracle/explain/explain.h>
 #include <oracle/explain/failing_place.h>
 #include <oracle/subjects/library_subject.h>
-#include <oracle/subjects/subjects.h>
 #include <viz/model/scene/counterexample_scene.h>
 
 namespace lightcuts::viz {

@@ -12,7 +12,7 @@
 #include <lightcuts/render/io/scene_request.h>
 #include <lightcuts/render/view/scene_features.h>
 #include <lightcuts/render/view/scene_view.h>
-#include <oracle/cases/counterexample_json.h>
+#include <oracle/counterexamples/counterexample_json.h>
 #include <oracle/subjects/subject.h>
 #include <oracle/subjects/topology.h>
 

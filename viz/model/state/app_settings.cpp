@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/render/io/output_folder.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/output_folder.h>
+#include <lightcuts/render/files/text.h>
 
 #include <oracle/records/record_file.h>
 

@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 #include <lightcuts/core/records/fields.h>
-#include <lightcuts/render/io/images/colour_map.h>
+#include <lightcuts/render/images/colour_map.h>
 
 namespace lightcuts::viz {
 

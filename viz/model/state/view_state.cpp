@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
 
 #include <oracle/records/record_file.h>
 #include <oracle/records/require_camera.h>

@@ -7,38 +7,16 @@
 #include <string>
 
 #include <glm/vec2.hpp>
-#include <lightcuts/render/io/images/colour_map.h>
 #include <lightcuts/render/scene/scene.h>
 
+#include <viz/model/layers/colour_settings.h>
 #include <viz/model/layers/kinds/image.h>
 #include <viz/model/picture/display_method.h>
 #include <viz/model/picture/image_view.h>
+#include <viz/model/picture/shading_settings.h>
 #include <viz/model/scene/opened_scene.h>
-#include <viz/model/state/shading_settings.h>
 
 namespace lightcuts::viz {
-
-/// How values become colours.
-struct ColourSettings {
-  ColourMap map = ColourMap::inferno;
-  bool logarithmic = false;
-  bool automatic_range = true;
-  float lo = 0, hi = 1;          ///< where not automatic; lo < hi, and 0 < lo if logarithmic
-  std::optional<float> exposure; ///< of images: a factor; nothing: automatic_exposure()
-
-  bool operator==(const ColourSettings&) const = default;
-
-  template <class Visitor>
-  static constexpr void fields(Visitor&& field) {
-    constexpr Domain exposure{.least = 1e-30, .most = 1e30, .optional = true};
-    field("colour_map", &ColourSettings::map, domain::optional);
-    field("logarithmic", &ColourSettings::logarithmic, domain::optional);
-    field("automatic_range", &ColourSettings::automatic_range, domain::optional);
-    field("lo", &ColourSettings::lo, domain::optional);
-    field("hi", &ColourSettings::hi, domain::optional);
-    field("exposure", &ColourSettings::exposure, exposure);
-  }
-};
 
 /// Everything that a person has chosen of what the window shows.
 struct ViewState {

@@ -7,16 +7,16 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
 
 #include <viz/model/layers/all_layers.h>
-#include <viz/model/state/saved_view.h>
-#include <viz/panels/app/drawing.h>
+#include <viz/model/saved_view.h>
 #include <viz/panels/app/overlays.h>
 #include <viz/panels/app/status_line.h>
 #include <viz/panels/app/toolbar.h>
 #include <viz/panels/cut/counterexample_panel.h>
 #include <viz/panels/cut/refinement_panel.h>
+#include <viz/panels/gui/drawing.h>
 #include <viz/panels/picture/pixel_panel.h>
 #include <viz/panels/plots/live_panel.h>
 

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
-#include <lightcuts/render/io/images/colour_map.h>
+#include <lightcuts/render/images/colour_map.h>
 
 #include <viz/gl/context/gl_objects.h>
 #include <viz/gl/context/offscreen_context.h>
 #include <viz/panels/app/app.h>
-#include <viz/panels/app/gui.h>
+#include <viz/panels/gui/gui.h>
 
 namespace lightcuts::viz {
 

@@ -2,25 +2,18 @@
 #include <viz/panels/app/open_dialog.h>
 
 #include <algorithm>
-#include <array>
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
+#include <lightcuts/render/io/scene_files.h>
 
-#include <viz/panels/app/drawing.h>
+#include <viz/panels/gui/drawing.h>
 
 namespace lightcuts::viz {
 namespace {
 
 constexpr const char* title = "Open a scene";
-
-bool can_be_opened(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-  constexpr std::array known{".json", ".obj", ".gltf", ".glb"};
-  return std::find(known.begin(), known.end(), extension) != known.end();
-}
 
 } // namespace
 
@@ -43,7 +36,7 @@ void OpenDialog::list_folder() {
     if (i->path().filename().string().starts_with('.')) continue;
     if (i->is_directory(ignored))
       folders_.push_back(i->path());
-    else if (can_be_opened(i->path()))
+    else if (is_scene_file(i->path()))
       files_.push_back(i->path());
   }
   if (error) problem_ = folder_.string() + ": " + error.message();
@@ -94,8 +87,9 @@ std::optional<std::string> OpenDialog::draw(const AppSettings& settings) {
   ImGui::SetNextWindowSize({ImGui::GetFontSize() * 46, 0});
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return {};
   std::optional<std::string> chosen;
-  ImGui::TextWrapped("A built-in scene with its parameters (cloud?lights=20000), or a file: .json "
-                     "(a scene or a counterexample), .obj, .gltf, .glb.");
+  ImGui::TextWrapped("A built-in scene with its parameters (cloud?lights=20000), a %s file, or a "
+                     "counterexample.",
+                     scene_extensions_text().c_str());
   ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 6);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputText("##typed", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);

@@ -5,8 +5,8 @@
 
 #include <imgui.h>
 
-#include <viz/panels/app/drawing.h>
 #include <viz/panels/app/shortcuts.h>
+#include <viz/panels/gui/drawing.h>
 
 namespace lightcuts::viz {
 

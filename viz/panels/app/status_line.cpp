@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include <viz/model/layers/value_text.h>
-#include <viz/panels/app/drawing.h>
+#include <viz/panels/gui/drawing.h>
 
 namespace lightcuts::viz {
 namespace {

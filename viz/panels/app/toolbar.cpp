@@ -4,7 +4,7 @@
 #include <imgui.h>
 
 #include <viz/model/layers/all_layers.h>
-#include <viz/panels/app/drawing.h>
+#include <viz/panels/gui/drawing.h>
 
 namespace lightcuts::viz {
 namespace {

@@ -16,8 +16,8 @@
 #include <viz/gl/context/gl_error.h>
 #include <viz/panels/app/app.h>
 #include <viz/panels/app/frame_pacer.h>
-#include <viz/panels/app/gui.h>
 #include <viz/panels/app/lost_display.h>
+#include <viz/panels/gui/gui.h>
 
 namespace lightcuts::viz {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 #include <imgui_stdlib.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
 
 #include <viz/model/layers/value_text.h>
 

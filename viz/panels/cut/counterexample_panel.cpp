@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <viz/panels/app/drawing.h>
-#include <viz/panels/app/gui.h>
+#include <viz/panels/gui/drawing.h>
+#include <viz/panels/gui/gui.h>
 
 namespace lightcuts::viz {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 #include <imgui_internal.h> // SetItemUsingMouseWheel()
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
 
 #include <viz/model/cut/cut_overlay.h>
 #include <viz/model/layers/value_text.h>

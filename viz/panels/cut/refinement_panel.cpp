@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
 
 #include <viz/model/layers/value_text.h>
-#include <viz/panels/app/drawing.h>
+#include <viz/panels/gui/drawing.h>
 #include <viz/panels/plots/plot.h>
 
 namespace lightcuts::viz {

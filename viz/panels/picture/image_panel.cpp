@@ -9,10 +9,10 @@
 #include <imgui.h>
 
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/render/io/images/film.h>
+#include <lightcuts/render/images/film.h>
 #include <lightcuts/render/view/camera.h>
 #include <viz/model/layers/value_text.h>
-#include <viz/panels/app/drawing.h>
+#include <viz/panels/gui/drawing.h>
 #include <viz/panels/picture/pixel_text.h>
 
 namespace lightcuts::viz {

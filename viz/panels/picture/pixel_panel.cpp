@@ -2,15 +2,15 @@
 #include <viz/panels/picture/pixel_panel.h>
 
 #include <cmath>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
+#include <oracle/records/record_text.h>
 
 #include <viz/model/layers/value_text.h>
-#include <viz/panels/app/drawing.h>
+#include <viz/panels/gui/drawing.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -28,20 +28,11 @@ void in_one_line(const std::vector<std::string>& parts) {
     first = false;
   }
 }
-void quiet(const std::string& line) { ImGui::TextColored(quiet_text, "%s", line.c_str()); }
-
-struct LobeName {
-  std::string operator()(const NoLobe& /*none*/) const { return "diffuse"; }
-  std::string operator()(const Phong& lobe) const {
-    return fmt::format("Phong, exponent {:g}", lobe.exponent);
-  }
-  std::string operator()(const Ward& lobe) const {
-    return fmt::format("Ward, alpha {:g}", lobe.alpha);
-  }
-  std::string operator()(const CookTorrance& lobe) const {
-    return fmt::format("Cook-Torrance, alpha {:g}", lobe.alpha);
-  }
-};
+void quiet(const std::string& line) {
+  ImGui::PushTextWrapPos();
+  ImGui::TextColored(quiet_text, "%s", line.c_str());
+  ImGui::PopTextWrapPos();
+}
 
 double sum(const glm::dvec3& v) { return v.x + v.y + v.z; }
 
@@ -136,8 +127,8 @@ void draw_pixel_panel(Workbench& workbench) {
     quiet("sees no surface");
     return;
   }
-  quiet(fmt::format("at {:.4g} {:.4g} {:.4g}, {}", i.position.x, i.position.y, i.position.z,
-                    std::visit(LobeName(), i.material.lobe)));
+  quiet(fmt::format("at {:.4g} {:.4g} {:.4g}, lobe {}", i.position.x, i.position.y, i.position.z,
+                    oracle::text_of(i.material.lobe)));
   radiance(i);
   cut(workbench, i);
   cluster(workbench);

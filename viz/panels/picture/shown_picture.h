@@ -22,9 +22,10 @@ public:
     std::optional<HeatMapScale> scale = {}; ///< of heat maps, in place of what settings say
   };
 
-  /// Of the library's methods.
+  /// Takes what there is of the picture by one of the library's methods.
   void refresh(Workbench& workbench, const Wish& wish);
-  /// Of a picture from elsewhere, such as a rasterised one; version: another one, another picture.
+  /// Takes a picture from elsewhere, such as a rasterised one; version: another one, another
+  /// picture.
   void refresh(const std::vector<glm::vec3>& image, glm::uvec2 size, std::uint64_t version,
                const ColourSettings& colours, std::optional<float> exposure);
 

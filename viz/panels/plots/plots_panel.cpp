@@ -10,7 +10,7 @@
 #include <viz/model/layers/histogram.h>
 #include <viz/model/layers/kinds/cut_size.h>
 #include <viz/model/layers/value_text.h>
-#include <viz/panels/app/drawing.h>
+#include <viz/panels/gui/drawing.h>
 
 namespace lightcuts::viz {
 namespace {

@@ -222,7 +222,7 @@ template <class Falloff>
   return std::sqrt(least_squared) / scaled_up;
 }
 
-// Of a box seen from a point x, q = y - x.
+// Bounds over the q = y - x of the points y of a box seen from a point x.
 
 [[nodiscard]] inline double max_cosine(const glm::vec3& n, const glm::vec3& x, const Box& box) {
   return max_cosine(n, DifferenceBox(x, box));

@@ -34,8 +34,8 @@ public:
   void leave_if_cancelled() const {
     if (cancelled()) throw Cancelled();
   }
-  /// Of a part of the job: from the share `begin` of the whole, so much of it. This must outlive
-  /// it.
+  /// The progress of a part of the job: from the share `begin` of the whole, `length` of it. This
+  /// must outlive the part's.
   [[nodiscard]] Progress part(double begin, double length) const {
     if (!report_) return *this;
     return Progress([this, begin, length](double share) { report_(begin + length * share); },

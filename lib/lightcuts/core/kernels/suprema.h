@@ -17,7 +17,7 @@ template <class Kind>
 struct JointSuprema {
   static constexpr LightKind kind_of(const TreeNode& /*cluster*/) { return Kind::kind; }
 
-  /// Of n.l falloff over q, n about unit, times the length of n.
+  /// The supremum of n.l falloff over q, n about unit, times the length of n.
   static double max_cosine_falloff(const glm::vec3& n, const DifferenceBox& q,
                                    double min_distance2) {
     if (is_at_infinity(Kind::kind)) return max_cosine(n, q);
@@ -33,7 +33,7 @@ struct JointSuprema {
     return max_cosine_falloff(n, DifferenceBox(from, box), min_distance2);
   }
 
-  /// Of the falloff alone.
+  /// The supremum of the falloff over q.
   static double max_falloff(const DifferenceBox& q, double min_distance2) {
     return is_at_infinity(Kind::kind) ? 1 : 1 / std::max(min_length2(q), min_distance2);
   }
@@ -42,7 +42,7 @@ struct JointSuprema {
     return max_falloff(DifferenceBox(from, box), min_distance2);
   }
 
-  /// Of emission() of the lights of node i.
+  /// The supremum of emission() towards `from` of the lights of node i.
   static double max_emission(const LightTree& tree, std::uint32_t i, LightKind /*kind*/,
                              const glm::vec3& from) {
     return Kind::max_emission(tree.emission(i), DifferenceBox(from, tree.node(i).box));

@@ -16,7 +16,7 @@ namespace lightcuts {
 /// the normal, v the direction to the viewer, h the direction of l + v.
 class Sight {
 public:
-  /// Of something of this kind at `to`; see Light::position.
+  /// The sight of something of this kind at `to`; see Light::position.
   Sight(const ShadingFrame& frame, LightKind kind, const glm::vec3& to)
       : frame_(frame), from_(viewed_from(kind, frame.position())), to_(to),
         q_(glm::dvec3(to) - glm::dvec3(from_)),

@@ -29,7 +29,7 @@ struct alignas(64) TreeNode {
   /// Lights of several kinds, which only clusters at the top of a tree have: their box, moments and
   /// emission mean nothing.
   [[nodiscard]] bool is_mixed() const { return (kinds & (kinds - 1)) != 0; }
-  /// Of a cluster that is not mixed.
+  /// The kind of all lights of a cluster that is not mixed.
   [[nodiscard]] LightKind kind() const {
     for (int k = 1; k < light_kind_count; ++k)
       if (kinds == only(LightKind(k))) return LightKind(k);

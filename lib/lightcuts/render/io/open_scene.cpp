@@ -7,11 +7,12 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <lightcuts/core/input_error.h>
-#include <lightcuts/render/io/json/scene_json.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 #include <lightcuts/render/io/models/model_import.h>
-#include <lightcuts/render/scene/builtin_scenes.h>
+#include <lightcuts/render/io/scene_files.h>
+#include <lightcuts/render/io/scene_json.h>
 
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
 #include <lightcuts/render/scene/camera_fault.h>
 
 namespace lightcuts {
@@ -115,35 +116,16 @@ Scene read(const std::string& spec) {
   if (is_builtin(spec)) return make_builtin(spec);
   const std::filesystem::path file(spec);
   const std::string extension = lower_extension(file);
-  if (extension == ".json") return load_scene_json(file);
-  if (extension == ".obj" || extension == ".gltf" || extension == ".glb") return import_model(file);
+  if (extension == scene_json_extension) return load_scene_json(file);
+  if (is_scene_file(file)) return import_model(file);
   if (spec.find_first_of("./") == std::string::npos)
     return make_builtin(spec); // says what is known
   throw InputError(InputFault::unsupported,
-                   fmt::format("{}: unknown kind of scene '{}'; known: a built-in name, .json, "
-                               ".obj, .gltf, .glb",
-                               spec, file.extension().string()));
+                   fmt::format("{}: unknown kind of scene '{}'; known: a built-in name, {}", spec,
+                               file.extension().string(), fmt::join(scene_extensions, ", ")));
 }
 
 } // namespace
-
-std::optional<CameraFault> camera_fault(const Camera& camera) {
-  using enum InputFault;
-  if (!is_finite(camera.position)) return {{not_finite, "position is not finite"}};
-  if (!is_finite(camera.target)) return {{not_finite, "target is not finite"}};
-  if (!is_finite(camera.up)) return {{not_finite, "up is not finite"}};
-  if (!(camera.vertical_fov > 0 && camera.vertical_fov < 180))
-    return {{fault_of(camera.vertical_fov),
-             fmt::format("fov is {}, expected more than 0 and less than 180 degrees",
-                         camera.vertical_fov)}};
-  if (camera.position == camera.target) return {{inconsistent, "position equals target"}};
-  if (camera.up == glm::vec3(0)) return {{out_of_domain, "up is zero"}};
-  const glm::dvec3 view = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
-  // Below this sine the image's horizontal is lost in the rounding of floats.
-  if (glm::length(glm::cross(view, glm::normalize(glm::dvec3(camera.up)))) < 1e-6)
-    return {{inconsistent, "up is parallel to the view"}};
-  return std::nullopt;
-}
 
 void validate(const Scene& scene) {
   try {

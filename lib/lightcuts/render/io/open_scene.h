@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include <lightcuts/render/scene/scene.h>
 
 namespace lightcuts {
 
-/// Largest width and height of an image, pixels.
-inline constexpr std::uint32_t max_image_side = 16384;
-
 /// Opens a scene of any kind: a built-in one, with parameters (builtin_scenes.h), a `.json` scene
-/// (scene_json.h) or a `.obj`, `.gltf` or `.glb` model (model_import.h); upper and lower case do
-/// not matter in an extension. A file whose name begins like a built-in's takes a "./". The scene
-/// is validated, its name is the file's stem or the built-in's spec. Throws InputError.
+/// (scene_json.h) or a model (model_import.h), see scene_files.h. A file whose name begins like a
+/// built-in's takes a "./". The scene is validated, its name is the file's stem or the built-in's
+/// spec. Throws InputError.
 [[nodiscard]] Scene open_scene(const std::string& spec);
 
 /// Throws InputError, naming the element, unless there are triangles, every index is in range,

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
 
-#include <lightcuts/render/io/images/channels.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
+#include <lightcuts/render/images/channels.h>
 #include <lightcuts/render/lighting/apportion.h>
 #include <lightcuts/render/lighting/config_check.h>
 #include <lightcuts/render/lighting/hammersley.h>

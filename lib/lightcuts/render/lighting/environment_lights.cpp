@@ -12,8 +12,8 @@
 #include <glm/geometric.hpp>
 #include <lightcuts/core/input_error.h>
 
-#include <lightcuts/render/io/images/channels.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
+#include <lightcuts/render/images/channels.h>
 #include <lightcuts/render/lighting/circle.h>
 #include <lightcuts/render/lighting/config_check.h>
 #include <lightcuts/render/scene/append_lights.h>

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <lightcuts/render/io/images/environment_map.h>
+#include <lightcuts/render/images/environment_map.h>
 #include <lightcuts/render/scene/scene.h>
 
 namespace lightcuts {

@@ -16,8 +16,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <lightcuts/render/io/images/channels.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
+#include <lightcuts/render/images/channels.h>
 #include <lightcuts/render/lighting/apportion.h>
 #include <lightcuts/render/lighting/config_check.h>
 #include <lightcuts/render/lighting/hammersley.h>

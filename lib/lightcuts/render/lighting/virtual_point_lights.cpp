@@ -12,8 +12,8 @@
 #include <lightcuts/render/view/surface_material.h>
 #include <lightcuts/render/view/surface_point.h>
 
-#include <lightcuts/render/io/images/channels.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
+#include <lightcuts/render/images/channels.h>
 #include <lightcuts/render/lighting/apportion.h>
 #include <lightcuts/render/lighting/config_check.h>
 #include <lightcuts/render/lighting/direction_sampling.h>

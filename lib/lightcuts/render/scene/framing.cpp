@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <lightcuts/render/scene/framing.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
-#include <lightcuts/render/io/models/model_import.h>
 #include <lightcuts/render/scene/bounds.h>
 
 namespace lightcuts {

@@ -14,6 +14,9 @@
 
 namespace lightcuts {
 
+/// Largest width and height of an image, pixels.
+inline constexpr std::uint32_t max_image_side = 16384;
+
 /// The texture that multiplies a surface's base colour: its diffuse reflectance and, of a metal's
 /// f0, what comes of the base colour too.
 struct BaseTexture {

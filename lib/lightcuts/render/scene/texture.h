@@ -3,8 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -52,13 +50,5 @@ private:
   std::vector<glm::vec3> texels_;
   std::size_t clamped_ = 0;
 };
-
-/// Decodes an image file in memory. `name` is its name, whose extension says what kind it is where
-/// the bytes do not begin like a PNG or a JPEG. Integers are taken as sRGB, whatever the file says
-/// of its colours, and decoded with the piecewise formula of IEC 61966-2-1; floats (EXR, HDR) are
-/// linear. Grey counts for all three components; alpha does nothing, and pixels are not multiplied
-/// by it. Throws InputError, saying why but not of which file, where the bytes are no image, are
-/// truncated, or the image is larger than Texture allows.
-[[nodiscard]] Texture decode_texture(std::string_view bytes, const std::string& name);
 
 } // namespace lightcuts

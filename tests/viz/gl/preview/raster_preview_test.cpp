@@ -11,8 +11,8 @@
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/core/jobs/seconds_since.h>
 #include <lightcuts/core/tree/tree_builder.h>
+#include <lightcuts/render/builtin/builtin_scenes.h>
 #include <lightcuts/render/io/open_scene.h>
-#include <lightcuts/render/scene/builtin_scenes.h>
 #include <lightcuts/render/view/renderer.h>
 
 #include <tests/render/support/box_scene.h>

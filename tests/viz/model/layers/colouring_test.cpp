@@ -5,7 +5,7 @@
 #include <limits>
 
 #include <gtest/gtest.h>
-#include <lightcuts/render/io/images/film.h>
+#include <lightcuts/render/images/film.h>
 
 #include <viz/model/layers/all_layers.h>
 

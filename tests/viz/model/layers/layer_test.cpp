@@ -4,7 +4,10 @@
 #include <set>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <tests/support/readme.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -28,6 +31,19 @@ TEST(Layer, SaysWhatItMeansInSentences) {
     EXPECT_GT(meaning.size(), 20U) << layer->name;
     EXPECT_EQ(meaning.back(), '.') << layer->name;
   }
+}
+
+TEST(Layer, StandsInTheReadmesTableInItsOrder) {
+  std::string table = "| layer | |\n|---|---|\n";
+  for (const Layer layer : all_layers) {
+    std::string meaning = layer->meaning;
+    for (std::size_t at = meaning.find('|'); at != std::string::npos;
+         at = meaning.find('|', at + 2))
+      meaning.insert(at, 1, '\\'); // else it would end the column
+    table += fmt::format("| `{}` | {} |\n", layer->name, meaning);
+  }
+  EXPECT_NE(test::readme().find(table + "\n"), std::string::npos) << "README.md should have:\n"
+                                                                  << table;
 }
 
 using Names = std::set<std::string>;

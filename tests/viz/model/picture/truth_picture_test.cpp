@@ -31,8 +31,9 @@ std::size_t clairvoyant_at(const FrameKey& key, oracle::SubjectTree& tree, glm::
   truth.evaluate(*reading.topology, lights, p->point, visible);
   const oracle::Judged judged{tree, oracle::only(oracle::Part::bounds) |
                                         oracle::only(oracle::Part::estimates)};
-  return clairvoyant_cut_size(judged, {0, p->point, visible, truth}, *key.settings.threshold,
-                              scene.black_level());
+  const oracle::PointCase at{0, p->point, visible, truth};
+  const auto estimate = [&](std::uint32_t node) { return seen_estimate(judged, node, at); };
+  return clairvoyant_cut_size(truth, estimate, *key.settings.threshold, scene.black_level());
 }
 
 void expect_clairvoyant(const FrameKey& key, oracle::SubjectTree& tree) {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
 
 namespace lightcuts {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
 
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
 
 namespace lightcuts {
 

@@ -13,8 +13,8 @@
 #include <glm/mat4x4.hpp>
 #include <nlohmann/json.hpp>
 
+#include <lightcuts/render/files/text.h>
 #include <lightcuts/render/io/json/json_text.h>
-#include <lightcuts/render/io/text.h>
 
 namespace lightcuts {
 namespace {

@@ -9,7 +9,8 @@
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
 
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/files/text.h>
+#include <lightcuts/render/images/texture_decoding.h>
 
 namespace lightcuts {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/io/models/model_import.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -14,11 +15,12 @@
 #include <glm/mat4x4.hpp>
 #include <lightcuts/core/input_error.h>
 
+#include <lightcuts/render/files/text.h>
 #include <lightcuts/render/io/models/gltf_nodes.h>
 #include <lightcuts/render/io/models/imported_material.h>
 #include <lightcuts/render/io/models/imported_texture.h>
 #include <lightcuts/render/io/models/obj_check.h>
-#include <lightcuts/render/io/text.h>
+#include <lightcuts/render/scene/framing.h>
 
 namespace lightcuts {
 namespace {
@@ -234,10 +236,10 @@ bool append_model(const std::filesystem::path& file, Scene& scene) {
     read_meshes(file, false, scene);
     return false;
   }
-  if (extension != ".gltf" && extension != ".glb")
+  if (std::ranges::find(model_extensions, extension) == model_extensions.end())
     throw InputError(InputFault::unsupported,
-                     fmt::format("{}: unknown kind of model '{}'; known: .obj, .gltf, .glb",
-                                 file.string(), extension));
+                     fmt::format("{}: unknown kind of model '{}'; known: {}", file.string(),
+                                 extension, fmt::join(model_extensions, ", ")));
   const GltfNodes nodes = read_gltf_nodes(file);
   read_meshes(file, true, scene);
   return apply(nodes, file.string(), scene);

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <string_view>
 
 #include <lightcuts/render/scene/scene.h>
 
 namespace lightcuts {
+
+/// The extensions of the files that import_model() reads; upper and lower case do not matter.
+inline constexpr std::array<std::string_view, 3> model_extensions{".obj", ".gltf", ".glb"};
 
 /// Reads a Wavefront `.obj` with its `.mtl`, or a glTF 2.0 `.gltf`/`.glb`.
 ///
@@ -34,10 +39,5 @@ namespace lightcuts {
 /// Adds a model to a scene: triangles, surfaces, lights, notes. Returns whether the file had a
 /// camera, which then is the scene's. For scenes of several models; throws as import_model does.
 bool append_model(const std::filesystem::path& file, Scene& scene);
-
-/// A camera that shows the whole mesh: from the front and above at three quarters, or, where that
-/// sees clearly deeper into the mesh (a room open to one side), straight along an axis.
-/// The mesh must have triangles.
-[[nodiscard]] Camera framing(const TriangleMesh& mesh);
 
 } // namespace lightcuts
