@@ -84,13 +84,24 @@ std::shared_ptr<const BuildInput> input_of(const LightSet& lights, std::uint64_t
 class PluginTree : public SubjectTree {
 public:
   PluginTree(std::shared_ptr<Processes> processes, std::shared_ptr<const BuildInput> input)
-      : processes_(std::move(processes)), input_(std::move(input)), process_(processes_->take()) {
+      : PluginTree(processes, std::move(input), processes->take()) {}
+  /// In a process that may have a tree, which is destroyed first.
+  PluginTree(std::shared_ptr<Processes> processes, std::shared_ptr<const BuildInput> input,
+             std::unique_ptr<SubjectProcess> process)
+      : processes_(std::move(processes)), input_(std::move(input)), process_(std::move(process)) {
     Reader answer(process_->ask(Request::build, input_->message.bytes(), sizeof(std::uint32_t)));
     node_count_ = answer.get<std::uint32_t>();
     require_whole(answer);
     if (node_count_ > protocol::max_nodes(input_->light_count)) unreadable();
   }
-  ~PluginTree() override { processes_->give_back(std::move(process_)); }
+  ~PluginTree() override {
+    if (process_) processes_->give_back(std::move(process_));
+  }
+
+  /// Ends this tree's use of its process. Nothing where that is no more, or one of another plug-in.
+  [[nodiscard]] std::unique_ptr<SubjectProcess> give_up(const Processes& of) {
+    return &of == processes_.get() && process_->is_alive() ? std::move(process_) : nullptr;
+  }
 
   [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
     auto other = std::make_unique<PluginTree>(processes_, input_);
@@ -317,6 +328,14 @@ public:
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
     return std::make_unique<PluginTree>(processes_, input_of(lights, seed));
+  }
+  [[nodiscard]] std::unique_ptr<SubjectTree> build_after(std::unique_ptr<SubjectTree> before,
+                                                         const LightSet& lights,
+                                                         std::uint64_t seed) const override {
+    auto* tree = dynamic_cast<PluginTree*>(before.get());
+    std::unique_ptr<SubjectProcess> process = tree ? tree->give_up(*processes_) : nullptr;
+    if (!process) return Subject::build_after(std::move(before), lights, seed);
+    return std::make_unique<PluginTree>(processes_, input_of(lights, seed), std::move(process));
   }
   [[nodiscard]] bool refined_before(double bound, double other) const override {
     const std::lock_guard lock(mutex_);

@@ -30,6 +30,8 @@ static void misbehave_in(const char* function) {
 
 __attribute__((constructor)) static void when_loaded(void) { misbehave_in("load"); }
 
+static unsigned builds = 0;
+
 /// The lights are leaves 1, 2, ... of the root.
 typedef struct tree {
   uint32_t count;
@@ -61,6 +63,7 @@ static void* build(const lightcuts_light* lights, uint32_t count, float min_dist
   (void)min_distance;
   (void)seed;
   misbehave_in("build");
+  ++builds;
   harm_the_process();
   if (fault_is("null_tree")) return NULL;
   tree* t = malloc(sizeof *t);
@@ -120,6 +123,7 @@ static int bound(void* of, uint32_t node, const lightcuts_point* point, float ou
   for (int c = 0; c < 3; ++c) out[c] = INFINITY;
   if (fault_is("nan_bound")) out[1] = NAN;
   static float next = 1e30F;
+  if (fault_is("counts_builds")) out[0] = (float)builds;
   if (fault_is("random_bound")) out[0] = next *= 1.0001F;
   return 0;
 }

@@ -307,6 +307,35 @@ TEST(PluginTree, SaysAgainThatItHasFailed) {
   EXPECT_EQ(next->claim().nodes.size(), 4U);
 }
 
+/// How many trees the process of a tree has built.
+float builds(SubjectTree& tree) { return tree.bound(0, three_lights().views[0].view.point()).x; }
+
+TEST(PluginTree, IsBuiltInTheProcessOfTheOneBefore) {
+  const auto subject = plugin("counts_builds");
+  const LightSet lights = three_lights().light_set();
+  auto one = subject->build(lights, 1);
+  auto other = subject->build_after(subject->build(lights, 1), lights, 2);
+  one = subject->build_after(std::move(one), lights, 2);
+  other = subject->build_after(std::move(other), lights, 3);
+  EXPECT_EQ(builds(*one), 2);
+  EXPECT_EQ(builds(*other), 3);
+}
+
+TEST(PluginTree, IsBuiltAnewAfterAForeignOne) {
+  const auto subject = plugin("counts_builds"), another = plugin("none");
+  const LightSet lights = three_lights().light_set();
+  EXPECT_EQ(builds(*subject->build_after(another->build(lights, 1), lights, 1)), 1);
+  EXPECT_EQ(builds(*subject->build_after(nullptr, lights, 1)), 2);
+}
+
+TEST(PluginTree, IsBuiltAnewAfterOneThatFailed) {
+  const auto subject = plugin("crash_in_bound");
+  const LightSet lights = three_lights().light_set();
+  auto tree = subject->build(lights, 1);
+  EXPECT_THROW((void)builds(*tree), SubjectFailure);
+  EXPECT_EQ(subject->build_after(std::move(tree), lights, 1)->claim().nodes.size(), 4U);
+}
+
 TEST(PluginTree, AnswersOneByOneAsItDoesManyAtOnce) {
   const auto subject = brute_tree();
   const auto tree = subject->build(three_lights().light_set(), 1);
