@@ -151,7 +151,8 @@ void answer_loaded(const lightcuts_subject& s) {
   out.put(bit(bounds, 1) | bit(bounds && s.lower_bound != nullptr, 2) |
           bit(bounds && s.estimate != nullptr, 4) | bit(s.select != nullptr, 8) |
           bit(s.sample != nullptr && s.probability != nullptr, 16) |
-          bit(s.refined_before != nullptr, 32));
+          bit(s.refined_before != nullptr, 32) |
+          bit(s.draw != nullptr && s.sample != nullptr && s.probability != nullptr, 256));
   if (s.name != nullptr) out.put_text(std::string_view(s.name, strnlen(s.name, 100)));
   answer(Answer::done, out.bytes());
 }
@@ -176,6 +177,8 @@ public:
       return estimates(in);
     case Request::select:
       return select(in);
+    case Request::draws:
+      return draws(in);
     case Request::samples:
       return samples(in);
     case Request::probabilities:
@@ -290,10 +293,10 @@ private:
     }
   };
 
-  void select(Reader in) {
-    const auto point = in.get<lightcuts_point>();
-    const auto config = in.get<lightcuts_cut_config>();
-    Visibility seen{in.get_many<std::uint8_t>(light_count_)};
+  /// A cut that call(visibility, cut) makes, with its clusters in clusters_.
+  template <class Call>
+  std::pair<Cut, std::uint32_t> cut_by(Function function, Visibility& seen, Call&& call) {
+    seen.calls = 0;
     const lightcuts_visibility visibility{&Visibility::visible, &seen};
     clusters_.assign(node_count_, {no_node, {nan_double, nan_double, nan_double}});
     lightcuts_cut cut{{nan_float, nan_float, nan_float},
@@ -302,19 +305,50 @@ private:
                       no_node,
                       node_count_,
                       clusters_.data()};
-    require_done(Function::select, no_node,
-                 [&] { return subject_.select(tree_, &point, &config, &visibility, &cut); });
+    require_done(function, no_node, [&] { return call(&visibility, &cut); });
+    const std::string where = place(function, no_node);
     if (cut.size > node_count_)
-      throw CannotBe{"returned a cut of " + std::to_string(cut.size) +
-                     " clusters in select(), of " + std::to_string(node_count_) + " nodes"};
+      throw CannotBe{"returned a cut of " + std::to_string(cut.size) + " clusters " + where +
+                     ", of " + std::to_string(node_count_) + " nodes"};
     if (cut.end > LIGHTCUTS_END_MAX_SIZE)
-      throw CannotBe{"returned end " + std::to_string(cut.end) + " in select()"};
+      throw CannotBe{"returned end " + std::to_string(cut.end) + " " + where};
     if (seen.beyond != no_node)
-      throw CannotBe{"asked in select() whether light " + std::to_string(seen.beyond) + " of " +
+      throw CannotBe{"asked " + where + " whether light " + std::to_string(seen.beyond) + " of " +
                      std::to_string(light_count_) + " is visible"};
-    out_.put(
-        Cut{std::to_array(cut.radiance), std::to_array(cut.certified_error), cut.end, seen.calls});
-    out_.put(std::span(clusters_).first(cut.size));
+    return {{std::to_array(cut.radiance), std::to_array(cut.certified_error), cut.end, seen.calls},
+            cut.size};
+  }
+
+  void select(Reader in) {
+    const auto point = in.get<lightcuts_point>();
+    const auto config = in.get<lightcuts_cut_config>();
+    Visibility seen{in.get_many<std::uint8_t>(light_count_)};
+    const auto [cut, size] = cut_by(Function::select, seen, [&](auto* visibility, auto* out) {
+      return subject_.select(tree_, &point, &config, visibility, out);
+    });
+    out_.put(cut);
+    out_.put(std::span(clusters_).first(size));
+  }
+
+  void draws(Reader in) {
+    const auto point = in.get<lightcuts_point>();
+    const auto config = in.get<lightcuts_cut_config>();
+    const auto count = in.get<std::uint32_t>();
+    Visibility seen{in.get_many<std::uint8_t>(light_count_)};
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto query = in.get<std::uint64_t>();
+      const auto [cut, size] = cut_by(Function::draw, seen, [&](auto* visibility, auto* out) {
+        return subject_.draw(tree_, &point, &config, query, visibility, out);
+      });
+      const auto clusters = std::span(clusters_).first(size);
+      for (const lightcuts_cluster& c : clusters) // no property of cuts judges these
+        if (c.node >= node_count_)
+          throw CannotBe{"returned node " + std::to_string(c.node) + " of " +
+                         std::to_string(node_count_) + " in draw()"};
+      out_.put(cut);
+      out_.put(std::uint64_t(size));
+      out_.put(clusters);
+    }
   }
 
   void samples(Reader in) {

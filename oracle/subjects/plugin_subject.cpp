@@ -169,20 +169,48 @@ public:
              const std::function<bool(std::uint32_t)>& visible) override {
     look_from(point);
     message_.put(as_c(config));
-    for (std::uint32_t i = 0; i < input_->light_count; ++i)
-      message_.put(std::uint8_t(visible(i) ? 1 : 0));
+    put_visibility(visible);
     Reader answer =
         asked(Request::select, sizeof(protocol::Cut) + node_count_ * sizeof(lightcuts_cluster));
     const auto found = answer.get<protocol::Cut>();
     clusters_.clear();
-    while (!answer.is_at_end()) {
-      const auto c = answer.get<lightcuts_cluster>();
-      clusters_.push_back({c.node, true, dvec3_of(c.estimate), glm::vec3(0)});
-    }
+    while (!answer.is_at_end()) read_cluster(answer);
     require_whole(answer);
-    if (found.end > LIGHTCUTS_END_MAX_SIZE) unreadable();
-    return {vec3_of(found.radiance), vec3_of(found.certified_error), clusters_, found.shadow_rays,
-            CutEnd(found.end)};
+    return cut_of(found);
+  }
+
+  Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
+           const std::function<bool(std::uint32_t)>& visible) override {
+    Cut drawn;
+    draws(point, config, std::span(&query, 1), visible, [&](const Cut& cut) { drawn = cut; });
+    return drawn;
+  }
+
+  void draws(const ShadingPoint& point, const CutConfig& config,
+             std::span<const std::uint64_t> queries,
+             const std::function<bool(std::uint32_t)>& visible,
+             const std::function<void(const Cut&)>& take) override {
+    constexpr std::size_t most_at_once = 128;
+    const std::uint64_t most =
+        sizeof(protocol::Cut) + sizeof(std::uint64_t) + node_count_ * sizeof(lightcuts_cluster);
+    while (!queries.empty()) {
+      const auto some = queries.first(std::min(queries.size(), most_at_once));
+      queries = queries.subspan(some.size());
+      look_from(point);
+      message_.put(as_c(config));
+      message_.put(std::uint32_t(some.size()));
+      put_visibility(visible);
+      message_.put(some);
+      Reader answer = asked(Request::draws, some.size() * most);
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        const auto found = answer.get<protocol::Cut>();
+        clusters_.clear();
+        for (auto size = answer.get<std::uint64_t>(); size > 0 && !answer.is_at_end(); --size)
+          read_cluster(answer);
+        take(cut_of(found));
+      }
+      require_whole(answer);
+    }
   }
 
   DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
@@ -235,6 +263,23 @@ private:
     lower_bounds_.clear();
     estimates_.clear();
     probabilities_of_ = protocol::no_node;
+  }
+
+  void put_visibility(const std::function<bool(std::uint32_t)>& visible) {
+    for (std::uint32_t i = 0; i < input_->light_count; ++i)
+      message_.put(std::uint8_t(visible(i) ? 1 : 0));
+  }
+
+  void read_cluster(Reader& answer) {
+    const auto c = answer.get<lightcuts_cluster>();
+    clusters_.push_back({c.node, true, dvec3_of(c.estimate), glm::vec3(0)});
+  }
+
+  /// With the clusters that have been read.
+  [[nodiscard]] Cut cut_of(const protocol::Cut& found) const {
+    if (found.end > LIGHTCUTS_END_MAX_SIZE) unreadable();
+    return {vec3_of(found.radiance), vec3_of(found.certified_error), clusters_, found.shadow_rays,
+            CutEnd(found.end)};
   }
 
   /// Sends the message that look_from() has begun.

@@ -226,6 +226,65 @@ TEST(PluginParts, OfALaterHeaderDoNotMatter) {
   EXPECT_THAT(broken_names(verdict(*plugin("newer_table"))), IsEmpty());
 }
 
+// ---- random cuts
+
+/// Of the cases in which much is drawn.
+Tally verdict_on_draws(const Subject& subject) {
+  Tally tally;
+  int cases = 0;
+  for (std::uint64_t i = 0; cases < 3; ++i) {
+    const Case on = random_case(1, i);
+    if (!on.draws) continue;
+    check_case(subject, on, i, tally);
+    ++cases;
+  }
+  return tally;
+}
+
+TEST(PluginDraws, OfTheExampleAreRight) {
+  const auto subject = example("top_down_tree");
+  EXPECT_TRUE(has(subject->parts(), Part::random_cuts));
+  const Tally tally = verdict_on_draws(*subject);
+  EXPECT_THAT(broken_names(tally), IsEmpty());
+  EXPECT_GT(tally[Property::stochastic_is_unbiased].cases, 0U);
+  EXPECT_GT(tally[Property::draws_are_independent].cases, 0U);
+}
+
+TEST(PluginDraws, AreConvicted) {
+  const auto broken_by = [](const char* fault) {
+    return broken_names(verdict_on_draws(*plugin(fault)));
+  };
+  EXPECT_THAT(broken_by("one_number_for_all"), testing::ElementsAre("draws-are-independent"));
+  EXPECT_THAT(broken_by("drawn_evenly"), testing::Contains("stochastic-is-unbiased"));
+  EXPECT_THAT(broken_by("cut_by_query"), testing::ElementsAre("draws-are-independent"));
+  EXPECT_THAT(verdict_on_draws(*plugin("draws_no_node"))[Property::subject_answers].first_violation,
+              HasSubstr("returned node 123456789 of "));
+}
+
+TEST(PluginDraws, AreNotInAnOlderTable) {
+  const auto subject = plugin("older_table");
+  EXPECT_FALSE(has(subject->parts(), Part::random_cuts));
+  EXPECT_TRUE(has(subject->parts(), Part::sampling));
+  EXPECT_THAT(broken_names(verdict(*subject)), IsEmpty());
+}
+
+TEST(PluginDraws, AreThoseOfTheirQueries) {
+  const auto subject = example("top_down_tree");
+  const auto tree = subject->build(three_lights().light_set(), 1);
+  const ShadingPoint point = three_lights().views[0].view.point();
+  const CutConfig config{0.5F, 2, 0};
+  const auto seen = [](std::uint32_t) { return true; };
+  std::vector<std::uint64_t> queries(300);
+  for (std::size_t i = 0; i < queries.size(); ++i) queries[i] = i;
+  std::vector<glm::vec3> together, one_by_one;
+  tree->draws(point, config, queries, seen,
+              [&](const Cut& cut) { together.push_back(cut.radiance); });
+  for (const std::uint64_t query : queries)
+    one_by_one.push_back(tree->draw(point, config, query, seen).radiance);
+  EXPECT_EQ(together, one_by_one);
+  EXPECT_FALSE(tree->draw(point, config, 7, seen).clusters.empty());
+}
+
 // ---- what is no plug-in
 
 std::string refusal(const std::filesystem::path& file, double time_limit = 10) {
