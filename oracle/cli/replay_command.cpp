@@ -17,6 +17,7 @@ namespace {
 
 struct ReplayOptions : CommonOptions {
   std::string file, subject;
+  oracle::PluginConfig plugin;
   bool as_test = false;
 };
 
@@ -60,7 +61,7 @@ int run(const ReplayOptions& options) {
     fmt::print("{}", oracle::as_test(saved));
     return all_holds;
   }
-  const std::unique_ptr<oracle::Subject> subject = subject_for({.subject = saved.subject});
+  const std::unique_ptr<oracle::Subject> subject = subject_named(saved.subject, options.plugin);
   oracle::Tally tally;
   check_case(*subject, saved.counterexample.on, 0, tally);
   print_results(options, text_for(*subject, saved, tally), json_of(options, saved, tally));
@@ -80,6 +81,7 @@ void add_replay_command(CLI::App& app, Action& chosen) {
       ->required();
   command->add_option("--subject", options->subject,
                       "whom to judge, as check and stress have it; default: the file's");
+  add_plugin_options(*command, options->plugin);
   command->add_flag("--as-test", options->as_test,
                     "print a GoogleTest case to paste instead, and judge nothing");
   add_json_option(*command, *options);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -17,6 +18,14 @@
 #include <unistd.h>
 
 #include <oracle/subjects/subject_protocol.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define LIGHTCUTS_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define LIGHTCUTS_SANITIZED
+#endif
+#endif
 
 namespace lightcuts::oracle::protocol {
 namespace {
@@ -59,6 +68,21 @@ template <class Call>
 void require_done(Function function, std::uint32_t node, Call&& call) {
   if (const int code = marked(function, node, call); code != 0)
     throw CannotBe{"returned " + std::to_string(code) + " " + place(function, node)};
+}
+
+// ---- memory
+
+#ifdef LIGHTCUTS_SANITIZED
+constexpr bool memory_is_limited = false; // the sanitizer's shadow is larger than any limit
+#else
+constexpr bool memory_is_limited = true;
+#endif
+
+/// The pointer; notes where there is none for so many bytes.
+void* noted(void* pointer, std::size_t bytes) {
+  if (pointer == nullptr && bytes != 0 && marker != nullptr)
+    marker->refused_memory.store(bytes, std::memory_order_relaxed);
+  return pointer;
 }
 
 // ---- the socket
@@ -400,6 +424,7 @@ private:
     read_all(std::as_writable_bytes(std::span(&header, 1)));
     payload.resize(header.size);
     read_all(payload);
+    marker->refused_memory.store(0, std::memory_order_relaxed);
     try {
       host.serve(header.request, Reader(payload));
     } catch (const CannotBe& error) {
@@ -408,6 +433,14 @@ private:
     }
     answer(Answer::done, host.result());
   }
+}
+
+/// Keeps what the plug-in may map within so many bytes.
+void limit_memory(rlim_t bytes) {
+  rlimit limit{};
+  if (!memory_is_limited || getrlimit(RLIMIT_AS, &limit) != 0) return;
+  limit.rlim_cur = std::min(bytes, limit.rlim_max);
+  setrlimit(RLIMIT_AS, &limit);
 }
 
 /// Signals as a program has them, no cores, and the first to go where memory runs out.
@@ -420,12 +453,13 @@ void be_expendable() {
   std::ofstream("/proc/self/oom_score_adj") << 1000;
 }
 
-int run(const char* file) {
+int run(const char* file, const char* memory_limit) {
   void* shared = mmap(nullptr, sizeof(Marker), PROT_READ | PROT_WRITE, MAP_SHARED, marker_fd, 0);
   if (shared == MAP_FAILED) return 1;
   marker = static_cast<Marker*>(shared);
   be_expendable();
   end_with_oracle();
+  limit_memory(std::strtoull(memory_limit, nullptr, 10));
   lightcuts_subject table{};
   try {
     table = load(file);
@@ -441,10 +475,34 @@ int run(const char* file) {
 } // namespace
 } // namespace lightcuts::oracle::protocol
 
+// Those of the C library, which the plug-in and all libraries call here instead, operator new among
+// them: all that they allocate but what they ask the kernel for themselves.
+#if defined(__GLIBC__) && !defined(LIGHTCUTS_SANITIZED)
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+
+void* malloc(std::size_t size) noexcept {
+  return lightcuts::oracle::protocol::noted(__libc_malloc(size), size);
+}
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  return lightcuts::oracle::protocol::noted(__libc_calloc(count, size), count * size);
+}
+void* realloc(void* old, std::size_t size) noexcept {
+  return lightcuts::oracle::protocol::noted(__libc_realloc(old, size), size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  return lightcuts::oracle::protocol::noted(__libc_memalign(alignment, size), size);
+}
+}
+#endif
+
 int main(int argc, char** argv) {
-  if (argc != 2 || fcntl(lightcuts::oracle::protocol::socket_fd, F_GETFD) < 0) {
+  if (argc != 3 || fcntl(lightcuts::oracle::protocol::socket_fd, F_GETFD) < 0) {
     std::fputs("lightcuts-subject-host: to be started by lightcuts-oracle only\n", stderr);
     return 2;
   }
-  return lightcuts::oracle::protocol::run(argv[1]);
+  return lightcuts::oracle::protocol::run(argv[1], argv[2]);
 }

@@ -53,7 +53,7 @@ public:
     return process;
   }
   [[nodiscard]] std::unique_ptr<SubjectProcess> started() const {
-    return std::make_unique<SubjectProcess>(config_.host, file_, config_.time_limit);
+    return std::make_unique<SubjectProcess>(file_, config_);
   }
   void give_back(std::unique_ptr<SubjectProcess> process) {
     if (!process->is_alive()) return;

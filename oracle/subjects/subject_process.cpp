@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <iterator>
 #include <new>
 #include <system_error>
 #include <thread>
@@ -54,7 +55,8 @@ private:
   int fd_;
 };
 
-pid_t spawn(const std::string& host, const std::string& plugin, int socket, int marker) {
+pid_t spawn(const PluginConfig& config, const std::filesystem::path& plugin, int socket,
+            int marker) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
@@ -70,14 +72,25 @@ pid_t spawn(const std::string& host, const std::string& plugin, int socket, int 
   sigset_t none;
   sigemptyset(&none);
   posix_spawnattr_setsigmask(&attributes, &none);
-  std::string arguments[] = {host, plugin};
-  char* argv[] = {arguments[0].data(), arguments[1].data(), nullptr};
+  std::string arguments[] = {config.host, plugin, std::to_string(config.memory_limit)};
+  char* argv[] = {arguments[0].data(), arguments[1].data(), arguments[2].data(), nullptr};
   pid_t pid = -1;
-  const int error = posix_spawn(&pid, host.c_str(), &actions, &attributes, argv, environ);
+  const int error = posix_spawn(&pid, argv[0], &actions, &attributes, argv, environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::system_error(error, std::generic_category(), host);
+  if (error != 0) throw std::system_error(error, std::generic_category(), argv[0]);
   return pid;
+}
+
+/// "512 MiB": in the largest unit of which it is a whole number.
+std::string memory_text(std::uint64_t bytes) {
+  constexpr const char* units[] = {"bytes", "KiB", "MiB", "GiB", "TiB"};
+  std::size_t unit = 0;
+  while (unit + 1 < std::size(units) && bytes != 0 && bytes % 1024 == 0) {
+    bytes /= 1024;
+    ++unit;
+  }
+  return fmt::format("{} {}", bytes, units[unit]);
 }
 
 } // namespace
@@ -97,11 +110,10 @@ private:
   Clock::time_point end_;
 };
 
-SubjectProcess::SubjectProcess(const std::filesystem::path& host,
-                               const std::filesystem::path& plugin, double seconds)
-    : name_(plugin.filename().string()), seconds_(seconds) {
+SubjectProcess::SubjectProcess(const std::filesystem::path& plugin, const PluginConfig& config)
+    : name_(plugin.filename().string()), config_(config) {
   try {
-    start(host, plugin);
+    start(plugin);
   } catch (...) {
     kill();
     throw;
@@ -110,21 +122,21 @@ SubjectProcess::SubjectProcess(const std::filesystem::path& host,
 
 SubjectProcess::~SubjectProcess() { kill(); }
 
-void SubjectProcess::start(const std::filesystem::path& host, const std::filesystem::path& plugin) {
+void SubjectProcess::start(const std::filesystem::path& plugin) {
   const Descriptor memory(memfd_create("lightcuts-marker", MFD_CLOEXEC));
   if (memory.get() < 0 || ftruncate(memory.get(), sizeof(protocol::Marker)) != 0)
     throw_errno("memfd_create");
   void* shared =
       mmap(nullptr, sizeof(protocol::Marker), PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
   if (shared == MAP_FAILED) throw_errno("mmap");
-  marker_ = new (shared) protocol::Marker{protocol::Function::load, protocol::no_node};
+  marker_ = new (shared) protocol::Marker{protocol::Function::load, protocol::no_node, 0};
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw_errno("socketpair");
   socket_ = ends[0];
   const Descriptor theirs(ends[1]);
   if (fcntl(socket_, F_SETFL, O_NONBLOCK) != 0) throw_errno("fcntl");
   const Descriptor socket_above(theirs.moved_up()), memory_above(memory.moved_up());
-  pid_ = spawn(host.string(), plugin.string(), socket_above.get(), memory_above.get());
+  pid_ = spawn(config_, plugin, socket_above.get(), memory_above.get());
 }
 
 void SubjectProcess::kill() {
@@ -145,6 +157,14 @@ std::string SubjectProcess::place() const {
   return node == protocol::no_node ? name : fmt::format("{} of node {}", name, node);
 }
 
+/// What is to be said where the plug-in was refused memory in its last question.
+std::string SubjectProcess::refused_memory() const {
+  const std::uint64_t bytes = marker_->refused_memory.load();
+  if (bytes == 0) return {};
+  return fmt::format("; its memory limit of {} was reached: {} more were refused",
+                     memory_text(config_.memory_limit), memory_text(bytes));
+}
+
 void SubjectProcess::fail(const std::string& what) {
   failure_ = fmt::format("{}: {}", name_, what);
   kill();
@@ -161,7 +181,7 @@ void SubjectProcess::fail_by_death() {
     ended = waitpid(pid_, &status, WNOHANG);
     if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  const std::string where = place();
+  const std::string where = place() + refused_memory();
   if (ended != pid_) fail("closed the connection to the oracle " + where);
   ::kill(-pid_, SIGKILL); // what it may have started
   pid_ = -1;
@@ -182,7 +202,7 @@ void SubjectProcess::wait_for(short event, const Deadline& deadline) {
       siginfo_t info{}; // it may be dead, and a process that it started hold the connection
       const int peek = WEXITED | WNOHANG | WNOWAIT;
       if (waitid(P_PID, id_t(pid_), &info, peek) == 0 && info.si_pid == pid_) fail_by_death();
-      fail(fmt::format("hung for {:g} s {}", seconds_, place()));
+      fail(fmt::format("hung for {:g} s {}", config_.time_limit, place()));
     }
   }
 }
@@ -220,20 +240,20 @@ std::span<const std::byte> SubjectProcess::receive_answer(const Deadline& deadli
   if (header.size > (done ? most : longest_text)) fail("wrote to the oracle's own connection");
   answer_.resize(header.size);
   receive(answer_, deadline);
-  if (!done) fail(protocol::Reader(answer_).rest());
+  if (!done) fail(protocol::Reader(answer_).rest() + refused_memory());
   return answer_;
 }
 
 std::span<const std::byte> SubjectProcess::loaded() {
   constexpr std::uint64_t longest_name = 4096;
-  return receive_answer(Deadline(seconds_), longest_name);
+  return receive_answer(Deadline(config_.time_limit), longest_name);
 }
 
 std::span<const std::byte> SubjectProcess::ask(protocol::Request request,
                                                std::span<const std::byte> payload,
                                                std::uint64_t most) {
   if (!is_alive()) throw SubjectFailure(failure_);
-  const Deadline deadline(seconds_);
+  const Deadline deadline(config_.time_limit);
   send(protocol::joined(protocol::RequestHeader{request, payload.size()}, payload), deadline);
   return receive_answer(deadline, most);
 }

@@ -9,6 +9,7 @@
 
 #include <sys/types.h>
 
+#include <oracle/subjects/plugin_subject.h>
 #include <oracle/subjects/subject_protocol.h>
 
 namespace lightcuts::oracle {
@@ -17,9 +18,8 @@ namespace lightcuts::oracle {
 /// and throws SubjectFailure; so does everything asked after that.
 class SubjectProcess {
 public:
-  /// Starts `host` with the plug-in. seconds: time limit of each question.
-  SubjectProcess(const std::filesystem::path& host, const std::filesystem::path& plugin,
-                 double seconds);
+  /// Starts config.host with the plug-in.
+  SubjectProcess(const std::filesystem::path& plugin, const PluginConfig& config);
   ~SubjectProcess();
   SubjectProcess(const SubjectProcess&) = delete;
   SubjectProcess& operator=(const SubjectProcess&) = delete;
@@ -37,7 +37,7 @@ public:
 private:
   class Deadline;
 
-  void start(const std::filesystem::path& host, const std::filesystem::path& plugin);
+  void start(const std::filesystem::path& plugin);
   std::span<const std::byte> receive_answer(const Deadline& deadline, std::uint64_t most);
   void send(std::span<const std::byte> bytes, const Deadline& deadline);
   void receive(std::span<std::byte> bytes, const Deadline& deadline);
@@ -45,10 +45,11 @@ private:
   [[noreturn]] void fail_by_death();
   [[noreturn]] void fail(const std::string& what);
   [[nodiscard]] std::string place() const;
+  [[nodiscard]] std::string refused_memory() const;
   void kill();
 
   std::string name_; ///< the file's
-  double seconds_;
+  PluginConfig config_;
   pid_t pid_ = -1;
   int socket_ = -1;
   protocol::Marker* marker_ = nullptr;

@@ -112,6 +112,8 @@ inline constexpr std::array<const char*, std::size_t(Function::none) + 1> functi
 struct Marker {
   std::atomic<Function> function;
   std::atomic<std::uint32_t> node;
+  std::atomic<std::uint64_t> refused_memory; ///< bytes of the last allocation in the question that
+                                             ///< was refused; 0: none was
 };
 inline constexpr std::uint32_t no_node = ~std::uint32_t(0);
 

@@ -6,7 +6,6 @@
 #include <lightcuts/core/input_error.h>
 #include <oracle/mutants/mutants.h>
 #include <oracle/subjects/library_subject.h>
-#include <oracle/subjects/plugin_subject.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -20,7 +19,7 @@ std::string full_subject_name(const std::string& name) {
   return mutant_named(name) != nullptr ? std::string(mutant) + name : name;
 }
 
-std::unique_ptr<Subject> subject_named(const std::string& name, double time_limit) {
+std::unique_ptr<Subject> subject_named(const std::string& name, const PluginConfig& config) {
   if (name == library) return library_subject();
   if (name == "locally-ordered") return locally_ordered_subject();
   if (name == "paper") return paper_subject();
@@ -29,7 +28,7 @@ std::unique_ptr<Subject> subject_named(const std::string& name, double time_limi
   if (full.starts_with(mutant))
     if (const Mutant* found = mutant_named(full.substr(mutant.size()))) return found->subject();
   if (name.find('/') != std::string::npos || name.ends_with(".so"))
-    return plugin_subject(name, {.time_limit = time_limit});
+    return plugin_subject(name, config);
   throw InputError(
       InputFault::unknown_name,
       fmt::format(

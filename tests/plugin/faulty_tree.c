@@ -38,6 +38,9 @@ typedef struct tree {
 } tree;
 
 static void harm_the_process(void) {
+  if (fault_is("hoards_and_aborts") || fault_is("hoards"))
+    while (malloc(1 << 20) != NULL) continue;
+  if (fault_is("hoards_and_aborts")) abort();
   if (fault_is("prints")) {
     puts("this is not JSON");
     fflush(stdout);
@@ -65,7 +68,7 @@ static void* build(const lightcuts_light* lights, uint32_t count, float min_dist
   misbehave_in("build");
   ++builds;
   harm_the_process();
-  if (fault_is("null_tree")) return NULL;
+  if (fault_is("null_tree") || fault_is("hoards")) return NULL;
   tree* t = malloc(sizeof *t);
   if (t != NULL) t->count = count;
   return t;

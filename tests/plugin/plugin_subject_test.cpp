@@ -329,6 +329,28 @@ TEST(PluginProcess, IsKilledAtTheTimeLimit) {
   EXPECT_LT(seconds_since(start), 30);
 }
 
+#ifndef __SANITIZE_ADDRESS__ // whose own memory leaves no room for a limit
+TEST(PluginProcess, IsRefusedMemoryBeyondItsLimit) {
+  const auto failure = [](const char* name, std::uint64_t mebibytes) -> std::string {
+    const auto subject = plugin_subject(
+        plugin_file(name), {.time_limit = 60, .memory_limit = mebibytes << 20, .host = {}});
+    try {
+      (void)subject->build(three_lights().light_set(), 1);
+    } catch (const SubjectFailure& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(failure("hoards", 256), "libhoards.so: returned NULL in build(); its memory limit of "
+                                    "256 MiB was reached: 1 MiB more were refused");
+  EXPECT_EQ(failure("hoards_and_aborts", 1024),
+            "libhoards_and_aborts.so: crashed (signal 6, Aborted) in build(); its memory limit of "
+            "1 GiB was reached: 1 MiB more were refused");
+  EXPECT_EQ(failure("null_tree", 256), "libnull_tree.so: returned NULL in build()");
+  EXPECT_EQ(failure("none", 64), "");
+}
+#endif
+
 TEST(PluginProcess, EndsWithItsSubject) {
   const int before = children();
   {

@@ -68,6 +68,14 @@ TEST(SubjectOption, ConvictsWhatHangs) {
   EXPECT_THAT(outcome.out, HasSubstr("libhang_in_select.so: hung for 1 s in select()"));
 }
 
+#ifndef __SANITIZE_ADDRESS__
+TEST(SubjectOption, ConvictsWhatWantsTooMuchMemory) {
+  const Outcome outcome = judged(plugin_file("hoards"), {"--memory-limit", "256MiB"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("its memory limit of 256 MiB was reached"));
+}
+#endif
+
 TEST(SubjectOption, RefusesWhatIsNoTree) {
   for (const char* name :
        {"wrong_version", "no_symbol", "no_function", "crash_in_load", "nowhere"}) {
@@ -79,6 +87,8 @@ TEST(SubjectOption, RefusesWhatIsNoTree) {
   }
   EXPECT_EQ(judged("").exit_code, 3);
   EXPECT_EQ(judged(LIGHTCUTS_BRUTE_TREE, {"--time-limit", "0"}).exit_code, 2);
+  EXPECT_EQ(judged(LIGHTCUTS_BRUTE_TREE, {"--memory-limit", "4GB"}).exit_code, 2);
+  EXPECT_EQ(judged(LIGHTCUTS_BRUTE_TREE, {"--memory-limit", "1MiB"}).exit_code, 2);
 }
 
 // In a subject's way, not in that of the results.

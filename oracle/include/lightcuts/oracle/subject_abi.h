@@ -16,7 +16,7 @@
 /// What holds for all functions:
 /// - They run in a process of their own, one at a time. Crashing, exiting, hanging (10 s for each
 ///   question, unless told otherwise) is a violation of subject-answers. What they print to stdout
-///   goes to stderr.
+///   goes to stderr. They are refused memory beyond 4 GiB, unless told otherwise.
 /// - Several trees are built one after another in one process; the one before is destroyed first.
 ///   The same tree is built in several processes, one for each thread of the oracle; all have to
 ///   answer the same bits (threads-agree).
