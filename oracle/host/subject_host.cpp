@@ -2,6 +2,7 @@
 // lightcuts-subject-host: loads a light tree from a shared library and asks it what the oracle
 // wants to know, so that the oracle lives on whatever happens here. Started by PluginSubject.
 #include <algorithm>
+#include <cfenv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -45,15 +46,28 @@ void mark(Function function, std::uint32_t node = no_node) {
   marker->function.store(function, std::memory_order_relaxed);
 }
 
+/// How numbers are rounded and subnormals treated in this process, whatever the plug-in does.
+class FloatingPoint {
+public:
+  FloatingPoint() { fegetenv(&usual_); }
+  void restore() const { fesetenv(&usual_); }
+
+private:
+  fenv_t usual_{};
+};
+const FloatingPoint floating_point;
+
 /// Calls a function of the plug-in with a mark set for the oracle to find.
 template <class Call>
 auto marked(Function function, std::uint32_t node, Call&& call) {
   mark(function, node);
   if constexpr (std::is_void_v<decltype(call())>) {
     call();
+    floating_point.restore();
     mark(Function::none);
   } else {
     const auto result = call();
+    floating_point.restore();
     mark(Function::none);
     return result;
   }
@@ -87,10 +101,16 @@ void* noted(void* pointer, std::size_t bytes) {
 
 // ---- the socket
 
+/// Ends this process, and all of its group: what the plug-in has started.
+[[noreturn]] void end_all() {
+  if (getpgrp() == getpid()) kill(0, SIGKILL);
+  _exit(0);
+}
+
 void read_all(std::span<std::byte> out) {
   while (!out.empty()) {
     const ssize_t n = read(socket_fd, out.data(), out.size());
-    if (n <= 0) _exit(0); // the oracle is gone
+    if (n <= 0) end_all(); // the oracle is gone
     out = out.subspan(std::size_t(n));
   }
 }
@@ -98,7 +118,7 @@ void read_all(std::span<std::byte> out) {
 void write_all(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t n = write(socket_fd, bytes.data(), bytes.size());
-    if (n <= 0) _exit(0);
+    if (n <= 0) end_all();
     bytes = bytes.subspan(std::size_t(n));
   }
 }
@@ -111,13 +131,13 @@ void answer_cannot_be(const std::string& text) {
   answer(Answer::cannot_be, std::as_bytes(std::span(text)));
 }
 
-/// Ends this process when the oracle has, whatever the plug-in is doing.
+/// Ends all when the oracle has ended, whatever the plug-in is doing.
 void end_with_oracle() {
   std::thread([] {
     pollfd hung_up{socket_fd, POLLRDHUP, 0};
     while (poll(&hung_up, 1, -1) < 0) {
     }
-    _exit(0);
+    end_all();
   }).detach();
 }
 
@@ -162,6 +182,7 @@ lightcuts_subject load(const char* file) {
   const auto entry = reinterpret_cast<Entry>(symbol);
   mark(Function::lightcuts_subject_v1);
   const lightcuts_subject table = table_of(entry());
+  floating_point.restore(); // of -ffast-math, loading alone changes it
   mark(Function::none);
   return table;
 }

@@ -37,7 +37,8 @@ bool same_bits(const T& a, const T& b) {
 class Processes {
 public:
   Processes(std::filesystem::path file, const PluginConfig& config)
-      : file_(std::move(file)), config_(config) {}
+      : file_(std::move(file)), config_(config),
+        output_(std::make_shared<PluginOutput>(file_.filename().string())) {}
 
   [[nodiscard]] std::unique_ptr<SubjectProcess> take() {
     {
@@ -53,7 +54,7 @@ public:
     return process;
   }
   [[nodiscard]] std::unique_ptr<SubjectProcess> started() const {
-    return std::make_unique<SubjectProcess>(file_, config_);
+    return std::make_unique<SubjectProcess>(file_, config_, output_);
   }
   void give_back(std::unique_ptr<SubjectProcess> process) {
     if (!process->is_alive()) return;
@@ -64,6 +65,7 @@ public:
 private:
   std::filesystem::path file_;
   PluginConfig config_;
+  std::shared_ptr<PluginOutput> output_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<SubjectProcess>> idle_;
 };

@@ -44,7 +44,7 @@ public:
   Descriptor& operator=(const Descriptor&) = delete;
   [[nodiscard]] int get() const { return fd_; }
   [[nodiscard]] int release() { return std::exchange(fd_, -1); }
-  /// One above those of the host, which are set one after another.
+  /// One above all that the host has.
   [[nodiscard]] int moved_up() const {
     const int fd = fcntl(fd_, F_DUPFD_CLOEXEC, 10);
     if (fd < 0) throw_errno("fcntl");
@@ -55,14 +55,20 @@ private:
   int fd_;
 };
 
-pid_t spawn(const PluginConfig& config, const std::filesystem::path& plugin, int socket,
-            int marker) {
+/// What the host is to have, of numbers above those that it will have.
+struct HostDescriptors {
+  int socket, marker, output;
+};
+
+pid_t spawn(const PluginConfig& config, const std::filesystem::path& plugin,
+            const HostDescriptors& given) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, 2, 1); // stdout is the oracle's own
-  posix_spawn_file_actions_adddup2(&actions, socket, protocol::socket_fd);
-  posix_spawn_file_actions_adddup2(&actions, marker, protocol::marker_fd);
+  posix_spawn_file_actions_adddup2(&actions, given.output, 1);
+  posix_spawn_file_actions_adddup2(&actions, given.output, 2);
+  posix_spawn_file_actions_adddup2(&actions, given.socket, protocol::socket_fd);
+  posix_spawn_file_actions_adddup2(&actions, given.marker, protocol::marker_fd);
   posix_spawn_file_actions_addclosefrom_np(&actions, protocol::marker_fd + 1);
   // A group of its own, so that what the plug-in starts ends with it.
   posix_spawnattr_t attributes;
@@ -110,8 +116,19 @@ private:
   Clock::time_point end_;
 };
 
-SubjectProcess::SubjectProcess(const std::filesystem::path& plugin, const PluginConfig& config)
-    : name_(plugin.filename().string()), config_(config) {
+void PluginOutput::pass_on(std::string_view text) {
+  const std::lock_guard lock(mutex_);
+  const std::string_view some = text.substr(0, left_);
+  left_ -= some.size();
+  fmt::print(stderr, "{}", some);
+  if (some.size() == text.size() || said_) return;
+  said_ = true;
+  fmt::print(stderr, "\n{}: prints more than {}, which is left out\n", name_, memory_text(most));
+}
+
+SubjectProcess::SubjectProcess(const std::filesystem::path& plugin, const PluginConfig& config,
+                               std::shared_ptr<PluginOutput> output)
+    : name_(plugin.filename().string()), config_(config), output_(std::move(output)) {
   try {
     start(plugin);
   } catch (...) {
@@ -135,8 +152,14 @@ void SubjectProcess::start(const std::filesystem::path& plugin) {
   socket_ = ends[0];
   const Descriptor theirs(ends[1]);
   if (fcntl(socket_, F_SETFL, O_NONBLOCK) != 0) throw_errno("fcntl");
-  const Descriptor socket_above(theirs.moved_up()), memory_above(memory.moved_up());
-  pid_ = spawn(config_, plugin, socket_above.get(), memory_above.get());
+  int pipe_ends[2];
+  if (pipe2(pipe_ends, O_CLOEXEC) != 0) throw_errno("pipe2");
+  printed_ = pipe_ends[0];
+  const Descriptor written(pipe_ends[1]);
+  if (fcntl(printed_, F_SETFL, O_NONBLOCK) != 0) throw_errno("fcntl");
+  const Descriptor socket_above(theirs.moved_up()), memory_above(memory.moved_up()),
+      written_above(written.moved_up());
+  pid_ = spawn(config_, plugin, {socket_above.get(), memory_above.get(), written_above.get()});
 }
 
 void SubjectProcess::kill() {
@@ -146,7 +169,24 @@ void SubjectProcess::kill() {
     ::kill(pid_, SIGKILL); // it may have left its group
     waitpid(std::exchange(pid_, -1), nullptr, 0);
   }
+  read_printed();
+  if (printed_ >= 0) close(std::exchange(printed_, -1));
   if (marker_ != nullptr) munmap(std::exchange(marker_, nullptr), sizeof(protocol::Marker));
+}
+
+/// Passes on what the plug-in has printed so far; of one that goes on printing, more than a pipe
+/// holds.
+void SubjectProcess::read_printed() {
+  char text[4096];
+  for (int i = 0; i < 64 && printed_ >= 0; ++i) {
+    const ssize_t n = read(printed_, text, sizeof text);
+    if (n > 0)
+      output_->pass_on({text, std::size_t(n)});
+    else if (n == 0 || (errno != EINTR && errno != EAGAIN))
+      close(std::exchange(printed_, -1));
+    else if (errno == EAGAIN)
+      return;
+  }
 }
 
 std::string SubjectProcess::place() const {
@@ -193,12 +233,13 @@ void SubjectProcess::fail_by_death() {
 
 void SubjectProcess::wait_for(short event, const Deadline& deadline) {
   for (;;) {
-    pollfd ready{socket_, event, 0};
+    pollfd ready[] = {{socket_, event, 0}, {printed_, POLLIN, 0}}; // -1 is left out
     const int left = deadline.milliseconds_left();
-    const int n = poll(&ready, 1, left);
-    if (n > 0) return;
+    const int n = poll(ready, std::size(ready), left);
+    if (n > 0 && ready[1].revents != 0) read_printed();
+    if (n > 0 && ready[0].revents != 0) return;
     if (n < 0 && errno != EINTR) throw_errno("poll");
-    if (n == 0 && left == 0) {
+    if (n >= 0 && left == 0) {
       siginfo_t info{}; // it may be dead, and a process that it started hold the connection
       const int peek = WEXITED | WNOHANG | WNOWAIT;
       if (waitid(P_PID, id_t(pid_), &info, peek) == 0 && info.si_pid == pid_) fail_by_death();

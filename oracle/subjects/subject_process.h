@@ -3,8 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <sys/types.h>
@@ -14,12 +18,28 @@
 
 namespace lightcuts::oracle {
 
+/// What a plug-in prints: so much of it goes to stderr. Used by many threads.
+class PluginOutput {
+public:
+  explicit PluginOutput(std::string name) : name_(std::move(name)) {}
+  /// Passes on what fits; says once that there was more.
+  void pass_on(std::string_view text);
+
+private:
+  static constexpr std::size_t most = 64 * 1024; ///< bytes
+  std::string name_;
+  std::mutex mutex_;
+  std::size_t left_ = most;
+  bool said_ = false;
+};
+
 /// A plug-in in a process of its own, for one thread. Whatever goes wrong with it kills the process
 /// and throws SubjectFailure; so does everything asked after that.
 class SubjectProcess {
 public:
   /// Starts config.host with the plug-in.
-  SubjectProcess(const std::filesystem::path& plugin, const PluginConfig& config);
+  SubjectProcess(const std::filesystem::path& plugin, const PluginConfig& config,
+                 std::shared_ptr<PluginOutput> output);
   ~SubjectProcess();
   SubjectProcess(const SubjectProcess&) = delete;
   SubjectProcess& operator=(const SubjectProcess&) = delete;
@@ -42,6 +62,7 @@ private:
   void send(std::span<const std::byte> bytes, const Deadline& deadline);
   void receive(std::span<std::byte> bytes, const Deadline& deadline);
   void wait_for(short event, const Deadline& deadline);
+  void read_printed();
   [[noreturn]] void fail_by_death();
   [[noreturn]] void fail(const std::string& what);
   [[nodiscard]] std::string place() const;
@@ -50,8 +71,10 @@ private:
 
   std::string name_; ///< the file's
   PluginConfig config_;
+  std::shared_ptr<PluginOutput> output_;
   pid_t pid_ = -1;
   int socket_ = -1;
+  int printed_ = -1; ///< the end of a pipe; -1 once nobody holds the other one
   protocol::Marker* marker_ = nullptr;
   std::string failure_;
   std::vector<std::byte> answer_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/subjects/plugin_subject.h>
 
-#include <chrono>
-#include <fstream>
 #include <ostream>
 #include <set>
 #include <thread>
@@ -71,15 +69,8 @@ std::set<std::string> broken_names(const Tally& tally) {
   return names;
 }
 
-/// Children of this process.
-int children() {
-  int count = 0;
-  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
-    std::ifstream file(task.path() / "children");
-    for (int pid = 0; file >> pid;) ++count;
-  }
-  return count;
-}
+/// How many children this process has.
+int children() { return int(children_of(getpid()).size()); }
 
 // ---- what is wrong in its own way
 
@@ -362,6 +353,23 @@ TEST(PluginProcess, EndsWithItsSubject) {
                 testing::Contains("subject-answers"));
   }
   EXPECT_EQ(children(), before);
+}
+
+TEST(PluginProcess, EndsWithAllThatItStarted) {
+  pid_t sleeper = 0;
+  {
+    const auto subject = plugin("forks_a_sleeper");
+    const auto tree = subject->build(three_lights().light_set(), 1);
+    sleeper = child_of(child_of(getpid()));
+    EXPECT_TRUE(is_running(sleeper));
+  }
+  EXPECT_TRUE(ends(sleeper));
+}
+
+TEST(PluginProcess, HasTheUsualArithmeticInEachCall) {
+  const auto subject = plugin("spoils_arithmetic");
+  const auto tree = subject->build(three_lights().light_set(), 1);
+  EXPECT_EQ(tree->bound(0, three_lights().views[0].view.point()).x, 1);
 }
 
 TEST(PluginProcess, IsUsedAgain) {

@@ -15,8 +15,12 @@
 ///
 /// What holds for all functions:
 /// - They run in a process of their own, one at a time. Crashing, exiting, hanging (10 s for each
-///   question, unless told otherwise) is a violation of subject-answers. What they print to stdout
-///   goes to stderr. They are refused memory beyond 4 GiB, unless told otherwise.
+///   question, unless told otherwise) is a violation of subject-answers. They are refused
+///   memory beyond 4 GiB, unless told otherwise. Of what they print, the first 64 KiB go to the
+///   oracle's stderr. Processes that they start end with theirs, unless they leave its group.
+/// - They are called with the floating-point environment that a C program starts with: what they do
+///   to rounding, traps or subnormals ends with the call, and so does what -ffast-math does where
+///   the library is loaded.
 /// - Several trees are built one after another in one process; the one before is destroyed first.
 ///   The same tree is built in several processes, one for each thread of the oracle; all have to
 ///   answer the same bits (threads-agree).
