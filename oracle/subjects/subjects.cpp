@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/subjects/subjects.h>
 
+#include <filesystem>
+
 #include <fmt/format.h>
 
 #include <lightcuts/core/input_error.h>
@@ -13,10 +15,15 @@ namespace {
 constexpr std::string_view mutant = "mutant:";
 constexpr const char* library = "lightcuts";
 
+bool is_file(const std::string& name) {
+  return name.find('/') != std::string::npos || name.ends_with(".so");
+}
+
 } // namespace
 
 std::string full_subject_name(const std::string& name) {
-  return mutant_named(name) != nullptr ? std::string(mutant) + name : name;
+  if (mutant_named(name) != nullptr) return std::string(mutant) + name;
+  return is_file(name) ? std::filesystem::absolute(name).lexically_normal().string() : name;
 }
 
 std::unique_ptr<Subject> subject_named(const std::string& name, const PluginConfig& config) {
@@ -27,8 +34,7 @@ std::unique_ptr<Subject> subject_named(const std::string& name, const PluginConf
   const std::string full = full_subject_name(name);
   if (full.starts_with(mutant))
     if (const Mutant* found = mutant_named(full.substr(mutant.size()))) return found->subject();
-  if (name.find('/') != std::string::npos || name.ends_with(".so"))
-    return plugin_subject(name, config);
+  if (is_file(name)) return plugin_subject(name, config);
   throw InputError(
       InputFault::unknown_name,
       fmt::format(

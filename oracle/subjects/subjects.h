@@ -15,7 +15,8 @@ namespace lightcuts::oracle {
 [[nodiscard]] std::unique_ptr<Subject> subject_named(const std::string& name,
                                                      const PluginConfig& config = {});
 
-/// The name in full by which files remember a subject: a mutant's gets its "mutant:".
+/// The name in full by which files remember a subject: a mutant's gets its "mutant:", a plug-in's
+/// file the folder that it is in, from the root.
 [[nodiscard]] std::string full_subject_name(const std::string& name);
 
 /// Whether it is the library, of which waste is a failure, too.

@@ -125,6 +125,24 @@ TEST(SubjectOption, LeavesNoProcessWhereTheOracleIsKilled) {
   EXPECT_TRUE(ends(sleeper));
 }
 
+TEST(SubjectOption, IsRememberedByFilesThatAreReplayedElsewhere) {
+  const OracleProcess oracle, elsewhere;
+  const auto library = oracle.folder() / "libmine.so";
+  std::filesystem::copy_file(plugin_file("half_bound"), library);
+  ASSERT_EQ(oracle.run({"stress", "--subject", "./libmine.so", "--out", "."}).exit_code, 1);
+  const std::string file = oracle.folder() / "counterexample-bound-dominates-contribution.json";
+  const Outcome outcome = elsewhere.run({"replay", file});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("is still violated by half bound (libmine.so)"));
+  std::filesystem::remove(library);
+  const Outcome gone = elsewhere.run({"replay", file});
+  EXPECT_EQ(gone.exit_code, 3);
+  EXPECT_THAT(gone.err,
+              AllOf(HasSubstr(file + ": "), HasSubstr(library.string() + ": no such file"),
+                    HasSubstr("--subject")));
+  EXPECT_EQ(elsewhere.run({"replay", file, "--subject", "lightcuts"}).exit_code, 0);
+}
+
 TEST(SubjectOption, IsOneOfStressToo) {
   const OracleProcess oracle;
   const std::vector<std::string> stress{"stress", "--cases", "50", "--subject"};
