@@ -134,6 +134,8 @@ TEST(SubjectOption, IsRememberedByFilesThatAreReplayedElsewhere) {
   const Outcome outcome = elsewhere.run({"replay", file});
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("is still violated by half bound (libmine.so)"));
+  EXPECT_THAT(elsewhere.run({"replay", file, "--as-test"}).out,
+              HasSubstr("subject_named(\"" + library.string() + "\")"));
   std::filesystem::remove(library);
   const Outcome gone = elsewhere.run({"replay", file});
   EXPECT_EQ(gone.exit_code, 3);
