@@ -173,7 +173,8 @@ public:
     message_.put(as_c(config));
     put_visibility(visible);
     Reader answer =
-        asked(Request::select, sizeof(protocol::Cut) + node_count_ * sizeof(lightcuts_cluster));
+        asked(Request::select, sizeof(protocol::Cut) + node_count_ * sizeof(lightcuts_cluster),
+              about(config));
     const auto found = answer.get<protocol::Cut>();
     clusters_.clear();
     while (!answer.is_at_end()) read_cluster(answer);
@@ -203,7 +204,7 @@ public:
       message_.put(std::uint32_t(some.size()));
       put_visibility(visible);
       message_.put(some);
-      Reader answer = asked(Request::draws, some.size() * most);
+      Reader answer = asked(Request::draws, some.size() * most, about(config));
       for (std::size_t i = 0; i < some.size(); ++i) {
         const auto found = answer.get<protocol::Cut>();
         clusters_.clear();
@@ -285,8 +286,12 @@ private:
   }
 
   /// Sends the message that look_from() has begun.
-  Reader asked(Request request, std::uint64_t most) {
-    return Reader(process_->ask(request, message_.bytes(), most));
+  Reader asked(Request request, std::uint64_t most, std::string about = {}) {
+    return Reader(process_->ask(request, message_.bytes(), most, std::move(about)));
+  }
+
+  static std::string about(const CutConfig& config) {
+    return fmt::format(", threshold {}, largest size {}", config.threshold, config.max_size);
   }
 
   void ask_of_all(Request request, Bounds& out) {

@@ -194,7 +194,7 @@ std::string SubjectProcess::place() const {
                                  std::size_t(protocol::Function::none)); // whoever wrote there
   const std::uint32_t node = marker_->node.load();
   const char* name = protocol::function_names[function];
-  return node == protocol::no_node ? name : fmt::format("{} of node {}", name, node);
+  return (node == protocol::no_node ? name : fmt::format("{} of node {}", name, node)) + about_;
 }
 
 /// What is to be said where the plug-in was refused memory in its last question.
@@ -292,8 +292,9 @@ std::span<const std::byte> SubjectProcess::loaded() {
 
 std::span<const std::byte> SubjectProcess::ask(protocol::Request request,
                                                std::span<const std::byte> payload,
-                                               std::uint64_t most) {
+                                               std::uint64_t most, std::string about) {
   if (!is_alive()) throw SubjectFailure(failure_);
+  about_ = std::move(about);
   const Deadline deadline(config_.time_limit);
   send(protocol::joined(protocol::RequestHeader{request, payload.size()}, payload), deadline);
   return receive_answer(deadline, most);

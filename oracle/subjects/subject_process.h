@@ -46,9 +46,11 @@ public:
 
   /// The answer to the loading of the plug-in; to be called first.
   [[nodiscard]] std::span<const std::byte> loaded();
-  /// The answer to a request, of `most` bytes at most; valid until the next.
-  [[nodiscard]] std::span<const std::byte>
-  ask(protocol::Request request, std::span<const std::byte> payload, std::uint64_t most);
+  /// The answer to a request, of `most` bytes at most; valid until the next. about: what else is to
+  /// be said of the question where it is not answered.
+  [[nodiscard]] std::span<const std::byte> ask(protocol::Request request,
+                                               std::span<const std::byte> payload,
+                                               std::uint64_t most, std::string about = {});
   /// Ends the process for what it answered, which cannot be read.
   [[noreturn]] void refuse(const std::string& what);
 
@@ -76,7 +78,7 @@ private:
   int socket_ = -1;
   int printed_ = -1; ///< the end of a pipe; -1 once nobody holds the other one
   protocol::Marker* marker_ = nullptr;
-  std::string failure_;
+  std::string about_, failure_;
   std::vector<std::byte> answer_;
 };
 

@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
     Hangs, FaultyPlugin,
     testing::Values(Fault{"hang_in_build", answers, "hung for 1 s in build()"},
                     Fault{"hang_in_bound", answers, "hung for 1 s in bound() of node 0"},
-                    Fault{"hang_in_select", answers, "hung for 1 s in select()"}),
+                    Fault{"hang_in_select", answers, "hung for 1 s in select(), threshold "}),
     test_name);
 
 INSTANTIATE_TEST_SUITE_P(

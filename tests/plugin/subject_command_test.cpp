@@ -65,7 +65,15 @@ TEST(SubjectOption, ConvictsInOnePiece) {
 TEST(SubjectOption, ConvictsWhatHangs) {
   const Outcome outcome = judged(plugin_file("hang_in_select"), {"--time-limit", "1"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.out, HasSubstr("libhang_in_select.so: hung for 1 s in select()"));
+  EXPECT_THAT(outcome.out, HasSubstr("libhang_in_select.so: hung for 1 s in select(), threshold "));
+}
+
+TEST(SubjectOption, SaysWhereItHungOnTheScenesLights) {
+  const Outcome outcome = judged(plugin_file("hang_in_build"), {"--time-limit", "1"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("No file for subject-answers, as it is on the scene's lights "
+                                     "taken together:\n  libhang_in_build.so: hung for 1 s in "
+                                     "build()\n"));
 }
 
 #ifndef __SANITIZE_ADDRESS__
