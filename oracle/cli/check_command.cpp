@@ -103,6 +103,11 @@ std::string counterexample_text(const CheckResult& result,
   if (file) return file->text();
   const auto properties = oracle::broken(result.tally);
   if (properties.empty()) return {};
+  if (properties.front() == oracle::Property::subject_answers)
+    return fmt::format(
+        "\nNo file for {}, as it is on the scene's lights taken together:\n  {}\nThe "
+        "same command finds it again.\n",
+        info(properties.front()).name, result.tally[properties.front()].first_violation);
   return fmt::format("\nNo file for {}: it shows on this scene's geometry and materials only, not "
                      "in lights and\none point; the same command finds it again.\n",
                      info(properties.front()).name);

@@ -19,6 +19,7 @@ using oracle::Severity;
 std::string ratio_text(double ratio) {
   if (ratio < 0) return "-";
   if (ratio > 1e6) return "> 10^6";
+  if (ratio > 1 && ratio < 1.0001) return fmt::format("1 + {:.1e}", ratio - 1);
   return ratio != 0 && ratio < 1e-4 ? fmt::format("{:.1e}", ratio) : fmt::format("{:.4f}", ratio);
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <lightcuts/core/input_error.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
 #include <oracle/cli/subjects.h>
@@ -17,6 +18,7 @@ namespace {
 
 struct ReplayOptions : CommonOptions {
   std::string file, subject;
+  oracle::PluginConfig plugin;
   bool as_test = false;
 };
 
@@ -52,6 +54,18 @@ std::string text_for(const oracle::Subject& subject, const oracle::SavedCountere
                             subject.name());
 }
 
+/// Throws InputError, naming the counterexample's file where that has the name of the subject.
+std::unique_ptr<oracle::Subject> subject_of(const ReplayOptions& options, const std::string& name) {
+  try {
+    return oracle::subject_named(name, options.plugin);
+  } catch (const InputError& e) {
+    if (!options.subject.empty()) throw;
+    throw InputError(e.fault(), fmt::format("{}: its subject cannot be judged: {}; --subject names "
+                                            "another",
+                                            options.file, e.what()));
+  }
+}
+
 int run(const ReplayOptions& options) {
   require_writable_json(options);
   oracle::SavedCounterexample saved = oracle::load_counterexample(options.file);
@@ -60,7 +74,7 @@ int run(const ReplayOptions& options) {
     fmt::print("{}", oracle::as_test(saved));
     return all_holds;
   }
-  const std::unique_ptr<oracle::Subject> subject = subject_for({.subject = saved.subject});
+  const std::unique_ptr<oracle::Subject> subject = subject_of(options, saved.subject);
   oracle::Tally tally;
   check_case(*subject, saved.counterexample.on, 0, tally);
   print_results(options, text_for(*subject, saved, tally), json_of(options, saved, tally));
@@ -80,6 +94,7 @@ void add_replay_command(CLI::App& app, Action& chosen) {
       ->required();
   command->add_option("--subject", options->subject,
                       "whom to judge, as check and stress have it; default: the file's");
+  add_plugin_options(*command, options->plugin);
   command->add_flag("--as-test", options->as_test,
                     "print a GoogleTest case to paste instead, and judge nothing");
   add_json_option(*command, *options);

@@ -14,14 +14,16 @@ namespace lightcuts::cli {
 /// Whom to judge.
 struct SubjectOptions {
   std::string subject = "lightcuts";
-  double time_limit = 10; ///< of each question to a plug-in, seconds
+  oracle::PluginConfig plugin;
 };
 
-/// Adds --subject and --time-limit.
+/// Adds --subject, --time-limit and --memory-limit.
 void add_subject_options(CLI::App& command, SubjectOptions& options);
+/// Adds --time-limit and --memory-limit.
+void add_plugin_options(CLI::App& command, oracle::PluginConfig& config);
 
 [[nodiscard]] inline std::unique_ptr<oracle::Subject> subject_for(const SubjectOptions& options) {
-  return oracle::subject_named(options.subject, options.time_limit);
+  return oracle::subject_named(options.subject, options.plugin);
 }
 
 } // namespace lightcuts::cli

@@ -38,13 +38,13 @@ std::string assertion(const char* comparison, const std::string& subject,
                      comparison, subject, property);
 }
 
-/// What is to hold for the subject once it is mended: the library, where a mutant or a plug-in does
-/// not hold, and others of the library's subjects themselves.
-const char* subject_that_holds(const std::string& name) {
-  if (name == "locally-ordered") return "locally_ordered_subject()";
-  if (name == "paper") return "paper_subject()";
-  if (name == "stochastic-intensity") return "stochastic_intensity_subject()";
-  return "library_subject()";
+std::string string_literal(const std::string& text) {
+  std::string literal = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') literal += '\\';
+    literal += c;
+  }
+  return literal + '"';
 }
 
 } // namespace
@@ -74,16 +74,20 @@ std::string as_test(const SavedCounterexample& saved) {
   const char* property = info(saved.counterexample.property).name;
   std::string text = "#include <optional>\n\n#include <gtest/gtest.h>\n"
                      "#include <oracle/campaign/hunt.h>\n";
-  if (is_mutant) text += "#include <oracle/mutants/mutants.h>\n";
-  text += "#include <oracle/subjects/library_subject.h>\n";
+  text += is_mutant ? "#include <oracle/mutants/mutants.h>\n"
+                      "#include <oracle/subjects/library_subject.h>\n"
+                    : "#include <oracle/subjects/subjects.h>\n";
   text += fmt::format("\nnamespace lightcuts::oracle {{\nnamespace {{\n\n// {}\nTEST({}, {}) {{\n",
                       info(saved.counterexample.property).statement,
                       is_mutant ? camel_case(name) : "Counterexample", camel_case(property));
   text += statements_for(saved.counterexample.on);
-  text += assertion("EQ", subject_that_holds(saved.subject), snake_case(property));
-  if (is_mutant)
-    text +=
-        assertion("NE", fmt::format("mutant_named(\"{}\")->subject()", name), snake_case(property));
+  const std::string literal = string_literal(is_mutant ? name : saved.subject);
+  if (is_mutant) {
+    text += assertion("EQ", "library_subject()", snake_case(property));
+    text += assertion("NE", "mutant_named(" + literal + ")->subject()", snake_case(property));
+  } else {
+    text += assertion("EQ", "subject_named(" + literal + ")", snake_case(property));
+  }
   return text + "}\n\n} // namespace\n} // namespace lightcuts::oracle\n";
 }
 

@@ -11,8 +11,8 @@ namespace lightcuts::oracle {
 [[nodiscard]] std::string statements_for(const Case& on);
 
 /// A C++ file with one GoogleTest case, to be linked with lightcuts::oracle: the case with exact
-/// floats, and that the property holds on it for the library's subject of that name, "paper" or
-/// else "lightcuts". Of a mutant, also that it is convicted.
+/// floats, and that the property holds on it for the subject of that name, which may be a plug-in.
+/// Of a mutant, that it is convicted, and the library is not.
 [[nodiscard]] std::string as_test(const SavedCounterexample& saved);
 
 } // namespace lightcuts::oracle

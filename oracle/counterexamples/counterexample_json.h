@@ -12,8 +12,7 @@ inline constexpr const char* counterexample_schema = "lightcuts-oracle/counterex
 
 /// A counterexample and whose it is.
 struct SavedCounterexample {
-  /// "lightcuts", "paper", "mutant:NAME", or the path of a plug-in: see subject_for() of the
-  /// command line.
+  /// "lightcuts", "paper", "mutant:NAME", or the absolute path of a plug-in: full_subject_name().
   std::string subject;
   Counterexample counterexample;
 

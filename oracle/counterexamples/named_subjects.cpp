@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/counterexamples/named_subjects.h>
 
+#include <filesystem>
+
 #include <fmt/format.h>
 
 #include <lightcuts/core/input_error.h>
 #include <oracle/mutants/mutants.h>
 #include <oracle/subjects/library_subject.h>
-#include <oracle/subjects/plugin_subject.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -14,13 +15,18 @@ namespace {
 constexpr std::string_view mutant = "mutant:";
 constexpr const char* library = "lightcuts";
 
+bool is_file(const std::string& name) {
+  return name.find('/') != std::string::npos || name.ends_with(".so");
+}
+
 } // namespace
 
 std::string full_subject_name(const std::string& name) {
-  return mutant_named(name) != nullptr ? std::string(mutant) + name : name;
+  if (mutant_named(name) != nullptr) return std::string(mutant) + name;
+  return is_file(name) ? std::filesystem::absolute(name).lexically_normal().string() : name;
 }
 
-std::unique_ptr<Subject> subject_named(const std::string& name, double time_limit) {
+std::unique_ptr<Subject> subject_named(const std::string& name, const PluginConfig& config) {
   if (name == library) return library_subject();
   if (name == "locally-ordered") return locally_ordered_subject();
   if (name == "paper") return paper_subject();
@@ -28,8 +34,7 @@ std::unique_ptr<Subject> subject_named(const std::string& name, double time_limi
   const std::string full = full_subject_name(name);
   if (full.starts_with(mutant))
     if (const Mutant* found = mutant_named(full.substr(mutant.size()))) return found->subject();
-  if (name.find('/') != std::string::npos || name.ends_with(".so"))
-    return plugin_subject(name, {.time_limit = time_limit});
+  if (is_file(name)) return plugin_subject(name, config);
   throw InputError(
       InputFault::unknown_name,
       fmt::format(

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 // A light tree as path tracers have it (Conty Estevez and Kulla 2018, "Importance Sampling of Many
 // Lights with Adaptive Tree Splitting"): split top-down by the surface area orientation heuristic,
-// with cones of axes, leaves of up to four lights, and lights drawn by importance. It is judged by
-// bounds and cuts, too. The root has a child for each kind of light, all others have two. Wants
-// light_group.h and shading.h beside it:
+// with cones of axes, leaves of up to four lights, and lights drawn by importance, one of a cluster
+// or one of each cluster of a cut. It is judged by bounds and cuts, too. The root has a child for
+// each kind of light, all others have two. Wants light_group.h and shading.h beside it:
 //
 //   cc -shared -fPIC -std=c99 -O2 -I oracle/include top_down_tree.c -o libtop_down_tree.so -lm
 //   lightcuts-oracle check desk --subject ./libtop_down_tree.so
@@ -374,6 +374,71 @@ static int sample(void* of, uint32_t index, const lightcuts_point* p, double u, 
   }
 }
 
+// ---- random cuts
+
+/// splitmix64 (Steele, Lea and Flood 2014).
+static uint64_t scrambled(uint64_t x) {
+  x += 0x9e3779b97f4a7c15U;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
+  return x ^ (x >> 31);
+}
+
+/// In [0, 1): a hash, so that those of two clusters, or of two queries, are as if independent.
+static double random_number(uint64_t query, uint32_t index) {
+  return (double)(scrambled(scrambled(query) ^ index) >> 11) * 0x1p-53;
+}
+
+static int all_seen(void* context, uint32_t light) {
+  (void)context;
+  (void)light;
+  return 1;
+}
+
+/// What a light contributes if it is seen, divided by the probability with which it is drawn.
+static void weigh(const tree* t, const lightcuts_point* p, uint32_t light, double probability,
+                  const lightcuts_visibility* visibility, double out[3]) {
+  out[0] = out[1] = out[2] = 0;
+  if (probability == 0 || !visibility->visible(visibility->context, light)) return;
+  transfer(p, &t->lights[light], t->min_distance, out);
+  for (int c = 0; c < 3; ++c) out[c] *= t->lights[light].intensity[c] / probability;
+}
+
+/// Sums up estimates, each of which may be off by itself or by what its bound is above it.
+static void sum_draws(const tree* t, const lightcuts_point* p, lightcuts_cut* out) {
+  double total[3] = {0}, error[3] = {0};
+  for (uint32_t k = 0; k < out->size; ++k) {
+    const double* one = out->clusters[k].estimate;
+    float limit[3];
+    bound((void*)t, out->clusters[k].node, p, limit);
+    for (int c = 0; c < 3; ++c) {
+      total[c] += one[c];
+      error[c] += fmax(one[c], limit[c] - one[c]);
+    }
+  }
+  for (int c = 0; c < 3; ++c) {
+    out->radiance[c] = to_float(total[c]);
+    out->certified_error[c] = certified_error(error[c], total[c]);
+  }
+}
+
+/// The cut is chosen as if all lights were seen, so that nothing random has a part in it.
+static int draw(void* of, const lightcuts_point* p, const lightcuts_cut_config* config,
+                uint64_t query, const lightcuts_visibility* visibility, lightcuts_cut* out) {
+  const lightcuts_visibility all = {all_seen, NULL};
+  const int failed = select_cut(of, p, config, &all, out);
+  if (failed) return failed;
+  for (uint32_t k = 0; k < out->size; ++k) {
+    lightcuts_cluster* cluster = &out->clusters[k];
+    uint32_t light = 0;
+    double probability_of_it = 0;
+    sample(of, cluster->node, p, random_number(query, cluster->node), &light, &probability_of_it);
+    weigh(of, p, light, probability_of_it, visibility, cluster->estimate);
+  }
+  sum_draws(of, p, out);
+  return 0;
+}
+
 // ---- what the oracle sees
 
 const lightcuts_subject* lightcuts_subject_v1(void) {
@@ -392,6 +457,7 @@ const lightcuts_subject* lightcuts_subject_v1(void) {
       .select = select_cut,
       .sample = sample,
       .probability = probability,
+      .draw = draw,
   };
   return &subject;
 }

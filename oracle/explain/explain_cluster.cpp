@@ -172,32 +172,38 @@ std::string box_and_suprema(const LightTree& tree, std::uint32_t node, const Sha
   return text + number_row("intensity", n.intensity);
 }
 
-/// What the subject's bound leaves for n.l falloff, where that is a factor of it: one kind of light
-/// and no lobe.
-std::string left_for_reach(const LibraryCluster& cluster, const PointCase& at, std::uint32_t node,
+/// What the bound leaves for all that differs from light to light of a cluster of one kind, where
+/// no lobe is in it: which of these factors is at fault, it does not tell.
+std::string left_for_light(const LibraryCluster& cluster, const PointCase& at, std::uint32_t node,
                            int channel, double bound) {
   const TreeNode& n = cluster.tree->node(cluster.node);
-  const double diffuse = at.point.material().diffuse[channel] * std::numbers::inv_pi;
   if (n.is_mixed() || at.point.material().is_glossy()) return {};
   const double others =
-      n.intensity[channel] * Suprema(*cluster.tree, cluster.node, at.point).emission * diffuse;
+      n.intensity[channel] * at.point.material().diffuse[channel] * std::numbers::inv_pi;
   Exact most = 0;
-  std::uint32_t light = 0;
+  std::uint32_t brightest = 0;
   for (const std::uint32_t i : at.topology().all_lights(node)) {
-    const radiometry::Way<Exact> way(at.point, at.lights()[i]);
-    const Exact max_cosine_falloff =
-        way.n_dot_l <= 0
-            ? Exact(0)
-            : Exact(way.n_dot_l * falloff(at.lights()[i], way, at.lights().min_distance()));
-    if (max_cosine_falloff > most) {
-      most = max_cosine_falloff;
-      light = i;
-    }
+    const Light& light = at.lights()[i];
+    const radiometry::Way<Exact> way(at.point, light);
+    if (way.n_dot_l <= 0) continue;
+    const Exact share = way.n_dot_l * falloff(light, way, at.lights().min_distance()) *
+                        radiometry::emission<Exact>(light, at.point, way.distance);
+    if (share <= most) continue;
+    most = share;
+    brightest = i;
   }
   if (others == 0 || !std::isfinite(bound)) return {};
-  return wrapped(fmt::format("  bound / (intensity max emission diffuse/pi) leaves {:.9g} for n.l "
-                             "falloff; light {} has {}",
-                             bound / others, light, oracle::text_of(most, 9)));
+  return wrapped(fmt::format("  bound / (intensity diffuse/pi) leaves {:.9g} for n.l falloff{}; "
+                             "light {} has {}",
+                             bound / others, has_axis(n.kind()) ? " emission" : "", brightest,
+                             oracle::text_of(most, 9)));
+}
+
+/// Nine digits, or what it is more or less than 1 where those do not show it.
+std::string ratio_text(const Exact& ratio) {
+  const Exact off = abs(Exact(ratio - 1));
+  if (off == 0 || off > Exact(1e-8)) return oracle::text_of(ratio, 9);
+  return fmt::format("1 {} {}", ratio > 1 ? '+' : '-', oracle::text_of(off, 3));
 }
 
 std::string parting(const LibraryCluster& cluster, const BothSides& sides, bool of_bound,
@@ -216,9 +222,9 @@ std::string parting(const LibraryCluster& cluster, const BothSides& sides, bool 
         where + fmt::format("{} {} > {} {:.9g}", sides.left_name, oracle::text_of(sides.left[k], 9),
                             sides.right_name, bound);
     if (bound > 0)
-      text += fmt::format(", {} times", oracle::text_of(Exact(sides.left[k] / Exact(bound)), 9));
+      text += fmt::format(", {} times", ratio_text(Exact(sides.left[k] / Exact(bound))));
     text = wrapped(text);
-    if (of_bound) text += left_for_reach(cluster, at, node, c, bound);
+    if (of_bound) text += left_for_light(cluster, at, node, c, bound);
     return text;
   }
   return {};
@@ -246,6 +252,8 @@ std::string cluster_text(const PointAnswers& of, Property property, std::uint32_
   text += sides.rows + number_row("the library's bound", cluster.bound(at.point));
   text += number_row("the subject's bound", bound);
   text += row_of("truth / its bound", [&](int c) -> std::string {
+    if (bound[c] > 0 && std::isfinite(bound[c]))
+      return ratio_text(Exact(at.truth.exact_open(node, c) / Exact(bound[c])));
     const double ratio = ratio_of(at.truth.open(node)[std::size_t(c)], bound[c]);
     return ratio == std::numeric_limits<double>::max() ? "inf" : fmt::format("{:.9g}", ratio);
   });

@@ -2,8 +2,10 @@
 // lightcuts-subject-host: loads a light tree from a shared library and asks it what the oracle
 // wants to know, so that the oracle lives on whatever happens here. Started by PluginSubject.
 #include <algorithm>
+#include <cfenv>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -17,6 +19,14 @@
 #include <unistd.h>
 
 #include <oracle/subjects/subject_protocol.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define LIGHTCUTS_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define LIGHTCUTS_SANITIZED
+#endif
+#endif
 
 namespace lightcuts::oracle::protocol {
 namespace {
@@ -36,15 +46,28 @@ void mark(Function function, std::uint32_t node = no_node) {
   marker->function.store(function, std::memory_order_relaxed);
 }
 
+/// How numbers are rounded and subnormals treated in this process, whatever the plug-in does.
+class FloatingPoint {
+public:
+  FloatingPoint() { fegetenv(&usual_); }
+  void restore() const { fesetenv(&usual_); }
+
+private:
+  fenv_t usual_{};
+};
+const FloatingPoint floating_point;
+
 /// Calls a function of the plug-in with a mark set for the oracle to find.
 template <class Call>
 auto marked(Function function, std::uint32_t node, Call&& call) {
   mark(function, node);
   if constexpr (std::is_void_v<decltype(call())>) {
     call();
+    floating_point.restore();
     mark(Function::none);
   } else {
     const auto result = call();
+    floating_point.restore();
     mark(Function::none);
     return result;
   }
@@ -61,12 +84,33 @@ void require_done(Function function, std::uint32_t node, Call&& call) {
     throw CannotBe{"returned " + std::to_string(code) + " " + place(function, node)};
 }
 
+// ---- memory
+
+#ifdef LIGHTCUTS_SANITIZED
+constexpr bool memory_is_limited = false; // the sanitizer's shadow is larger than any limit
+#else
+constexpr bool memory_is_limited = true;
+#endif
+
+/// The pointer; notes where there is none for so many bytes.
+void* noted(void* pointer, std::size_t bytes) {
+  if (pointer == nullptr && bytes != 0 && marker != nullptr)
+    marker->refused_memory.store(bytes, std::memory_order_relaxed);
+  return pointer;
+}
+
 // ---- the socket
+
+/// Ends this process, and all of its group: what the plug-in has started.
+[[noreturn]] void end_all() {
+  if (getpgrp() == getpid()) kill(0, SIGKILL);
+  _exit(0);
+}
 
 void read_all(std::span<std::byte> out) {
   while (!out.empty()) {
     const ssize_t n = read(socket_fd, out.data(), out.size());
-    if (n <= 0) _exit(0); // the oracle is gone
+    if (n <= 0) end_all(); // the oracle is gone
     out = out.subspan(std::size_t(n));
   }
 }
@@ -74,7 +118,7 @@ void read_all(std::span<std::byte> out) {
 void write_all(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t n = write(socket_fd, bytes.data(), bytes.size());
-    if (n <= 0) _exit(0);
+    if (n <= 0) end_all();
     bytes = bytes.subspan(std::size_t(n));
   }
 }
@@ -87,13 +131,13 @@ void answer_cannot_be(const std::string& text) {
   answer(Answer::cannot_be, std::as_bytes(std::span(text)));
 }
 
-/// Ends this process when the oracle has, whatever the plug-in is doing.
+/// Ends all when the oracle has ended, whatever the plug-in is doing.
 void end_with_oracle() {
   std::thread([] {
     pollfd hung_up{socket_fd, POLLRDHUP, 0};
     while (poll(&hung_up, 1, -1) < 0) {
     }
-    _exit(0);
+    end_all();
   }).detach();
 }
 
@@ -138,6 +182,7 @@ lightcuts_subject load(const char* file) {
   const auto entry = reinterpret_cast<Entry>(symbol);
   mark(Function::lightcuts_subject_v1);
   const lightcuts_subject table = table_of(entry());
+  floating_point.restore(); // of -ffast-math, loading alone changes it
   mark(Function::none);
   return table;
 }
@@ -151,7 +196,8 @@ void answer_loaded(const lightcuts_subject& s) {
   out.put(bit(bounds, 1) | bit(bounds && s.lower_bound != nullptr, 2) |
           bit(bounds && s.estimate != nullptr, 4) | bit(s.select != nullptr, 8) |
           bit(s.sample != nullptr && s.probability != nullptr, 16) |
-          bit(s.refined_before != nullptr, 32));
+          bit(s.refined_before != nullptr, 32) |
+          bit(s.draw != nullptr && s.sample != nullptr && s.probability != nullptr, 256));
   if (s.name != nullptr) out.put_text(std::string_view(s.name, strnlen(s.name, 100)));
   answer(Answer::done, out.bytes());
 }
@@ -176,6 +222,8 @@ public:
       return estimates(in);
     case Request::select:
       return select(in);
+    case Request::draws:
+      return draws(in);
     case Request::samples:
       return samples(in);
     case Request::probabilities:
@@ -290,10 +338,10 @@ private:
     }
   };
 
-  void select(Reader in) {
-    const auto point = in.get<lightcuts_point>();
-    const auto config = in.get<lightcuts_cut_config>();
-    Visibility seen{in.get_many<std::uint8_t>(light_count_)};
+  /// A cut that call(visibility, cut) makes, with its clusters in clusters_.
+  template <class Call>
+  std::pair<Cut, std::uint32_t> cut_by(Function function, Visibility& seen, Call&& call) {
+    seen.calls = 0;
     const lightcuts_visibility visibility{&Visibility::visible, &seen};
     clusters_.assign(node_count_, {no_node, {nan_double, nan_double, nan_double}});
     lightcuts_cut cut{{nan_float, nan_float, nan_float},
@@ -302,19 +350,50 @@ private:
                       no_node,
                       node_count_,
                       clusters_.data()};
-    require_done(Function::select, no_node,
-                 [&] { return subject_.select(tree_, &point, &config, &visibility, &cut); });
+    require_done(function, no_node, [&] { return call(&visibility, &cut); });
+    const std::string where = place(function, no_node);
     if (cut.size > node_count_)
-      throw CannotBe{"returned a cut of " + std::to_string(cut.size) +
-                     " clusters in select(), of " + std::to_string(node_count_) + " nodes"};
+      throw CannotBe{"returned a cut of " + std::to_string(cut.size) + " clusters " + where +
+                     ", of " + std::to_string(node_count_) + " nodes"};
     if (cut.end > LIGHTCUTS_END_MAX_SIZE)
-      throw CannotBe{"returned end " + std::to_string(cut.end) + " in select()"};
+      throw CannotBe{"returned end " + std::to_string(cut.end) + " " + where};
     if (seen.beyond != no_node)
-      throw CannotBe{"asked in select() whether light " + std::to_string(seen.beyond) + " of " +
+      throw CannotBe{"asked " + where + " whether light " + std::to_string(seen.beyond) + " of " +
                      std::to_string(light_count_) + " is visible"};
-    out_.put(
-        Cut{std::to_array(cut.radiance), std::to_array(cut.certified_error), cut.end, seen.calls});
-    out_.put(std::span(clusters_).first(cut.size));
+    return {{std::to_array(cut.radiance), std::to_array(cut.certified_error), cut.end, seen.calls},
+            cut.size};
+  }
+
+  void select(Reader in) {
+    const auto point = in.get<lightcuts_point>();
+    const auto config = in.get<lightcuts_cut_config>();
+    Visibility seen{in.get_many<std::uint8_t>(light_count_)};
+    const auto [cut, size] = cut_by(Function::select, seen, [&](auto* visibility, auto* out) {
+      return subject_.select(tree_, &point, &config, visibility, out);
+    });
+    out_.put(cut);
+    out_.put(std::span(clusters_).first(size));
+  }
+
+  void draws(Reader in) {
+    const auto point = in.get<lightcuts_point>();
+    const auto config = in.get<lightcuts_cut_config>();
+    const auto count = in.get<std::uint32_t>();
+    Visibility seen{in.get_many<std::uint8_t>(light_count_)};
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto query = in.get<std::uint64_t>();
+      const auto [cut, size] = cut_by(Function::draw, seen, [&](auto* visibility, auto* out) {
+        return subject_.draw(tree_, &point, &config, query, visibility, out);
+      });
+      const auto clusters = std::span(clusters_).first(size);
+      for (const lightcuts_cluster& c : clusters) // no property of cuts judges these
+        if (c.node >= node_count_)
+          throw CannotBe{"returned node " + std::to_string(c.node) + " of " +
+                         std::to_string(node_count_) + " in draw()"};
+      out_.put(cut);
+      out_.put(std::uint64_t(size));
+      out_.put(clusters);
+    }
   }
 
   void samples(Reader in) {
@@ -366,6 +445,7 @@ private:
     read_all(std::as_writable_bytes(std::span(&header, 1)));
     payload.resize(header.size);
     read_all(payload);
+    marker->refused_memory.store(0, std::memory_order_relaxed);
     try {
       host.serve(header.request, Reader(payload));
     } catch (const CannotBe& error) {
@@ -374,6 +454,14 @@ private:
     }
     answer(Answer::done, host.result());
   }
+}
+
+/// Keeps what the plug-in may map within so many bytes.
+void limit_memory(rlim_t bytes) {
+  rlimit limit{};
+  if (!memory_is_limited || getrlimit(RLIMIT_AS, &limit) != 0) return;
+  limit.rlim_cur = std::min(bytes, limit.rlim_max);
+  setrlimit(RLIMIT_AS, &limit);
 }
 
 /// Signals as a program has them, no cores, and the first to go where memory runs out.
@@ -386,12 +474,13 @@ void be_expendable() {
   std::ofstream("/proc/self/oom_score_adj") << 1000;
 }
 
-int run(const char* file) {
+int run(const char* file, const char* memory_limit) {
   void* shared = mmap(nullptr, sizeof(Marker), PROT_READ | PROT_WRITE, MAP_SHARED, marker_fd, 0);
   if (shared == MAP_FAILED) return 1;
   marker = static_cast<Marker*>(shared);
   be_expendable();
   end_with_oracle();
+  limit_memory(std::strtoull(memory_limit, nullptr, 10));
   lightcuts_subject table{};
   try {
     table = load(file);
@@ -407,10 +496,34 @@ int run(const char* file) {
 } // namespace
 } // namespace lightcuts::oracle::protocol
 
+// Those of the C library, which the plug-in and all libraries call here instead, operator new among
+// them: all that they allocate but what they ask the kernel for themselves.
+#if defined(__GLIBC__) && !defined(LIGHTCUTS_SANITIZED)
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+
+void* malloc(std::size_t size) noexcept {
+  return lightcuts::oracle::protocol::noted(__libc_malloc(size), size);
+}
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  return lightcuts::oracle::protocol::noted(__libc_calloc(count, size), count * size);
+}
+void* realloc(void* old, std::size_t size) noexcept {
+  return lightcuts::oracle::protocol::noted(__libc_realloc(old, size), size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  return lightcuts::oracle::protocol::noted(__libc_memalign(alignment, size), size);
+}
+}
+#endif
+
 int main(int argc, char** argv) {
-  if (argc != 2 || fcntl(lightcuts::oracle::protocol::socket_fd, F_GETFD) < 0) {
+  if (argc != 3 || fcntl(lightcuts::oracle::protocol::socket_fd, F_GETFD) < 0) {
     std::fputs("lightcuts-subject-host: to be started by lightcuts-oracle only\n", stderr);
     return 2;
   }
-  return lightcuts::oracle::protocol::run(argv[1]);
+  return lightcuts::oracle::protocol::run(argv[1], argv[2]);
 }

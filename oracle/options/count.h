@@ -46,4 +46,17 @@ namespace lightcuts::options {
   return double(*number) * unit;
 }
 
+/// "512MiB" or "4GiB" in bytes: a whole number and KiB, MiB, GiB or TiB; nothing for any other
+/// text, 0, or 2^63 bytes and more.
+[[nodiscard]] constexpr std::optional<std::uint64_t> parse_memory(std::string_view text) {
+  constexpr std::string_view units = "KMGT";
+  if (text.size() < 3 || !text.ends_with("iB")) return std::nullopt;
+  const std::size_t unit = units.find(text[text.size() - 3]);
+  const auto number = parse_count(text.substr(0, text.size() - 3));
+  if (unit == units.npos || !number) return std::nullopt;
+  const std::size_t shift = 10 * (unit + 1);
+  if (*number >> (63 - shift) != 0) return std::nullopt;
+  return *number << shift;
+}
+
 } // namespace lightcuts::options

@@ -68,6 +68,13 @@ std::string check_not_negative(const std::string& text) {
   return text.starts_with('-') ? "'" + text + "' is negative" : "";
 }
 
+std::string check_memory(const std::string& text) {
+  constexpr std::uint64_t least = std::uint64_t{64} << 20;
+  return parse_memory(text).value_or(0) >= least
+             ? ""
+             : "'" + text + "' is not a size such as 512MiB or 4GiB, 64MiB at least";
+}
+
 std::string check_distance(const std::string& text) {
   float distance = 0;
   const char* end = text.data() + text.size();

@@ -26,6 +26,8 @@ namespace lightcuts::options {
 /// A whole number above 0. CLI11 takes -1 for the largest.
 [[nodiscard]] std::string check_positive(const std::string& text);
 [[nodiscard]] std::string check_not_negative(const std::string& text);
+/// At least 64MiB that parse_memory() reads: less is not enough to load a library.
+[[nodiscard]] std::string check_memory(const std::string& text);
 /// A finite number above 0.
 [[nodiscard]] std::string check_distance(const std::string& text);
 

@@ -37,7 +37,8 @@ bool same_bits(const T& a, const T& b) {
 class Processes {
 public:
   Processes(std::filesystem::path file, const PluginConfig& config)
-      : file_(std::move(file)), config_(config) {}
+      : file_(std::move(file)), config_(config),
+        output_(std::make_shared<PluginOutput>(file_.filename().string())) {}
 
   [[nodiscard]] std::unique_ptr<SubjectProcess> take() {
     {
@@ -53,7 +54,7 @@ public:
     return process;
   }
   [[nodiscard]] std::unique_ptr<SubjectProcess> started() const {
-    return std::make_unique<SubjectProcess>(config_.host, file_, config_.time_limit);
+    return std::make_unique<SubjectProcess>(file_, config_, output_);
   }
   void give_back(std::unique_ptr<SubjectProcess> process) {
     if (!process->is_alive()) return;
@@ -64,6 +65,7 @@ public:
 private:
   std::filesystem::path file_;
   PluginConfig config_;
+  std::shared_ptr<PluginOutput> output_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<SubjectProcess>> idle_;
 };
@@ -84,13 +86,24 @@ std::shared_ptr<const BuildInput> input_of(const LightSet& lights, std::uint64_t
 class PluginTree : public SubjectTree {
 public:
   PluginTree(std::shared_ptr<Processes> processes, std::shared_ptr<const BuildInput> input)
-      : processes_(std::move(processes)), input_(std::move(input)), process_(processes_->take()) {
+      : PluginTree(processes, std::move(input), processes->take()) {}
+  /// In a process that may have a tree, which is destroyed first.
+  PluginTree(std::shared_ptr<Processes> processes, std::shared_ptr<const BuildInput> input,
+             std::unique_ptr<SubjectProcess> process)
+      : processes_(std::move(processes)), input_(std::move(input)), process_(std::move(process)) {
     Reader answer(process_->ask(Request::build, input_->message.bytes(), sizeof(std::uint32_t)));
     node_count_ = answer.get<std::uint32_t>();
     require_whole(answer);
     if (node_count_ > protocol::max_nodes(input_->light_count)) unreadable();
   }
-  ~PluginTree() override { processes_->give_back(std::move(process_)); }
+  ~PluginTree() override {
+    if (process_) processes_->give_back(std::move(process_));
+  }
+
+  /// Ends this tree's use of its process. Nothing where that is no more, or one of another plug-in.
+  [[nodiscard]] std::unique_ptr<SubjectProcess> give_up(const Processes& of) {
+    return &of == processes_.get() && process_->is_alive() ? std::move(process_) : nullptr;
+  }
 
   [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
     auto other = std::make_unique<PluginTree>(processes_, input_);
@@ -158,20 +171,49 @@ public:
              const std::function<bool(std::uint32_t)>& visible) override {
     look_from(point);
     message_.put(as_c(config));
-    for (std::uint32_t i = 0; i < input_->light_count; ++i)
-      message_.put(std::uint8_t(visible(i) ? 1 : 0));
+    put_visibility(visible);
     Reader answer =
-        asked(Request::select, sizeof(protocol::Cut) + node_count_ * sizeof(lightcuts_cluster));
+        asked(Request::select, sizeof(protocol::Cut) + node_count_ * sizeof(lightcuts_cluster),
+              about(config));
     const auto found = answer.get<protocol::Cut>();
     clusters_.clear();
-    while (!answer.is_at_end()) {
-      const auto c = answer.get<lightcuts_cluster>();
-      clusters_.push_back({c.node, true, dvec3_of(c.estimate), glm::vec3(0)});
-    }
+    while (!answer.is_at_end()) read_cluster(answer);
     require_whole(answer);
-    if (found.end > LIGHTCUTS_END_MAX_SIZE) unreadable();
-    return {vec3_of(found.radiance), vec3_of(found.certified_error), clusters_, found.shadow_rays,
-            CutEnd(found.end)};
+    return cut_of(found);
+  }
+
+  Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
+           const std::function<bool(std::uint32_t)>& visible) override {
+    Cut drawn;
+    draws(point, config, std::span(&query, 1), visible, [&](const Cut& cut) { drawn = cut; });
+    return drawn;
+  }
+
+  void draws(const ShadingPoint& point, const CutConfig& config,
+             std::span<const std::uint64_t> queries,
+             const std::function<bool(std::uint32_t)>& visible,
+             const std::function<void(const Cut&)>& take) override {
+    constexpr std::size_t most_at_once = 128;
+    const std::uint64_t most =
+        sizeof(protocol::Cut) + sizeof(std::uint64_t) + node_count_ * sizeof(lightcuts_cluster);
+    while (!queries.empty()) {
+      const auto some = queries.first(std::min(queries.size(), most_at_once));
+      queries = queries.subspan(some.size());
+      look_from(point);
+      message_.put(as_c(config));
+      message_.put(std::uint32_t(some.size()));
+      put_visibility(visible);
+      message_.put(some);
+      Reader answer = asked(Request::draws, some.size() * most, about(config));
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        const auto found = answer.get<protocol::Cut>();
+        clusters_.clear();
+        for (auto size = answer.get<std::uint64_t>(); size > 0 && !answer.is_at_end(); --size)
+          read_cluster(answer);
+        take(cut_of(found));
+      }
+      require_whole(answer);
+    }
   }
 
   DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
@@ -226,9 +268,30 @@ private:
     probabilities_of_ = protocol::no_node;
   }
 
+  void put_visibility(const std::function<bool(std::uint32_t)>& visible) {
+    for (std::uint32_t i = 0; i < input_->light_count; ++i)
+      message_.put(std::uint8_t(visible(i) ? 1 : 0));
+  }
+
+  void read_cluster(Reader& answer) {
+    const auto c = answer.get<lightcuts_cluster>();
+    clusters_.push_back({c.node, true, dvec3_of(c.estimate), glm::vec3(0)});
+  }
+
+  /// With the clusters that have been read.
+  [[nodiscard]] Cut cut_of(const protocol::Cut& found) const {
+    if (found.end > LIGHTCUTS_END_MAX_SIZE) unreadable();
+    return {vec3_of(found.radiance), vec3_of(found.certified_error), clusters_, found.shadow_rays,
+            CutEnd(found.end)};
+  }
+
   /// Sends the message that look_from() has begun.
-  Reader asked(Request request, std::uint64_t most) {
-    return Reader(process_->ask(request, message_.bytes(), most));
+  Reader asked(Request request, std::uint64_t most, std::string about = {}) {
+    return Reader(process_->ask(request, message_.bytes(), most, std::move(about)));
+  }
+
+  static std::string about(const CutConfig& config) {
+    return fmt::format(", threshold {}, largest size {}", config.threshold, config.max_size);
   }
 
   void ask_of_all(Request request, Bounds& out) {
@@ -317,6 +380,14 @@ public:
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
     return std::make_unique<PluginTree>(processes_, input_of(lights, seed));
+  }
+  [[nodiscard]] std::unique_ptr<SubjectTree> build_after(std::unique_ptr<SubjectTree> before,
+                                                         const LightSet& lights,
+                                                         std::uint64_t seed) const override {
+    auto* tree = dynamic_cast<PluginTree*>(before.get());
+    std::unique_ptr<SubjectProcess> process = tree ? tree->give_up(*processes_) : nullptr;
+    if (!process) return Subject::build_after(std::move(before), lights, seed);
+    return std::make_unique<PluginTree>(processes_, input_of(lights, seed), std::move(process));
   }
   [[nodiscard]] bool refined_before(double bound, double other) const override {
     const std::lock_guard lock(mutex_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
@@ -9,7 +10,10 @@
 namespace lightcuts::oracle {
 
 struct PluginConfig {
-  double time_limit = 10;     ///< seconds for each question; default 10
+  double time_limit = 10; ///< seconds for each question; default 10
+  /// Bytes of address space for each process of the plug-in; default 4 GiB. Beyond that it is
+  /// refused memory. No limit where the host is built with a sanitizer, which takes more.
+  std::uint64_t memory_limit = std::uint64_t{4} << 30;
   std::filesystem::path host; ///< lightcuts-subject-host; default: beside the program, or where it
                               ///< was built
 };

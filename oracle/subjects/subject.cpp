@@ -92,6 +92,13 @@ Cut SubjectTree::draw(const ShadingPoint&, const CutConfig&, std::uint64_t,
   not_a_part(Part::random_cuts);
 }
 
+void SubjectTree::draws(const ShadingPoint& point, const CutConfig& config,
+                        std::span<const std::uint64_t> queries,
+                        const std::function<bool(std::uint32_t)>& visible,
+                        const std::function<void(const Cut&)>& take) {
+  for (const std::uint64_t query : queries) take(draw(point, config, query, visible));
+}
+
 std::unique_ptr<SubjectTree> Subject::build_after(std::unique_ptr<SubjectTree> before,
                                                   const LightSet& lights,
                                                   std::uint64_t seed) const {

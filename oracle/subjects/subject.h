@@ -100,6 +100,11 @@ public:
   /// numbers, which `query` decides. The cut does not depend on `query`. Valid until the next call.
   virtual Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
                    const std::function<bool(std::uint32_t)>& visible);
+  /// draw() for each of many queries, in their order; `take` must not ask the tree.
+  virtual void draws(const ShadingPoint& point, const CutConfig& config,
+                     std::span<const std::uint64_t> queries,
+                     const std::function<bool(std::uint32_t)>& visible,
+                     const std::function<void(const Cut&)>& take);
   /// The library's own tree underneath, or nothing for a foreign one.
   [[nodiscard]] virtual const LightTree* library_tree() const { return nullptr; }
 };

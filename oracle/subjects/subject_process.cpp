@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <iterator>
 #include <new>
 #include <system_error>
 #include <thread>
@@ -43,7 +44,7 @@ public:
   Descriptor& operator=(const Descriptor&) = delete;
   [[nodiscard]] int get() const { return fd_; }
   [[nodiscard]] int release() { return std::exchange(fd_, -1); }
-  /// One above those of the host, which are set one after another.
+  /// One above all that the host has.
   [[nodiscard]] int moved_up() const {
     const int fd = fcntl(fd_, F_DUPFD_CLOEXEC, 10);
     if (fd < 0) throw_errno("fcntl");
@@ -54,13 +55,20 @@ private:
   int fd_;
 };
 
-pid_t spawn(const std::string& host, const std::string& plugin, int socket, int marker) {
+/// What the host is to have, of numbers above those that it will have.
+struct HostDescriptors {
+  int socket, marker, output;
+};
+
+pid_t spawn(const PluginConfig& config, const std::filesystem::path& plugin,
+            const HostDescriptors& given) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, 2, 1); // stdout is the oracle's own
-  posix_spawn_file_actions_adddup2(&actions, socket, protocol::socket_fd);
-  posix_spawn_file_actions_adddup2(&actions, marker, protocol::marker_fd);
+  posix_spawn_file_actions_adddup2(&actions, given.output, 1);
+  posix_spawn_file_actions_adddup2(&actions, given.output, 2);
+  posix_spawn_file_actions_adddup2(&actions, given.socket, protocol::socket_fd);
+  posix_spawn_file_actions_adddup2(&actions, given.marker, protocol::marker_fd);
   posix_spawn_file_actions_addclosefrom_np(&actions, protocol::marker_fd + 1);
   // A group of its own, so that what the plug-in starts ends with it.
   posix_spawnattr_t attributes;
@@ -70,14 +78,25 @@ pid_t spawn(const std::string& host, const std::string& plugin, int socket, int 
   sigset_t none;
   sigemptyset(&none);
   posix_spawnattr_setsigmask(&attributes, &none);
-  std::string arguments[] = {host, plugin};
-  char* argv[] = {arguments[0].data(), arguments[1].data(), nullptr};
+  std::string arguments[] = {config.host, plugin, std::to_string(config.memory_limit)};
+  char* argv[] = {arguments[0].data(), arguments[1].data(), arguments[2].data(), nullptr};
   pid_t pid = -1;
-  const int error = posix_spawn(&pid, host.c_str(), &actions, &attributes, argv, environ);
+  const int error = posix_spawn(&pid, argv[0], &actions, &attributes, argv, environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::system_error(error, std::generic_category(), host);
+  if (error != 0) throw std::system_error(error, std::generic_category(), argv[0]);
   return pid;
+}
+
+/// "512 MiB": in the largest unit of which it is a whole number.
+std::string memory_text(std::uint64_t bytes) {
+  constexpr const char* units[] = {"bytes", "KiB", "MiB", "GiB", "TiB"};
+  std::size_t unit = 0;
+  while (unit + 1 < std::size(units) && bytes != 0 && bytes % 1024 == 0) {
+    bytes /= 1024;
+    ++unit;
+  }
+  return fmt::format("{} {}", bytes, units[unit]);
 }
 
 } // namespace
@@ -97,11 +116,21 @@ private:
   Clock::time_point end_;
 };
 
-SubjectProcess::SubjectProcess(const std::filesystem::path& host,
-                               const std::filesystem::path& plugin, double seconds)
-    : name_(plugin.filename().string()), seconds_(seconds) {
+void PluginOutput::pass_on(std::string_view text) {
+  const std::lock_guard lock(mutex_);
+  const std::string_view some = text.substr(0, left_);
+  left_ -= some.size();
+  fmt::print(stderr, "{}", some);
+  if (some.size() == text.size() || said_) return;
+  said_ = true;
+  fmt::print(stderr, "\n{}: prints more than {}, which is left out\n", name_, memory_text(most));
+}
+
+SubjectProcess::SubjectProcess(const std::filesystem::path& plugin, const PluginConfig& config,
+                               std::shared_ptr<PluginOutput> output)
+    : name_(plugin.filename().string()), config_(config), output_(std::move(output)) {
   try {
-    start(host, plugin);
+    start(plugin);
   } catch (...) {
     kill();
     throw;
@@ -110,21 +139,27 @@ SubjectProcess::SubjectProcess(const std::filesystem::path& host,
 
 SubjectProcess::~SubjectProcess() { kill(); }
 
-void SubjectProcess::start(const std::filesystem::path& host, const std::filesystem::path& plugin) {
+void SubjectProcess::start(const std::filesystem::path& plugin) {
   const Descriptor memory(memfd_create("lightcuts-marker", MFD_CLOEXEC));
   if (memory.get() < 0 || ftruncate(memory.get(), sizeof(protocol::Marker)) != 0)
     throw_errno("memfd_create");
   void* shared =
       mmap(nullptr, sizeof(protocol::Marker), PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
   if (shared == MAP_FAILED) throw_errno("mmap");
-  marker_ = new (shared) protocol::Marker{protocol::Function::load, protocol::no_node};
+  marker_ = new (shared) protocol::Marker{protocol::Function::load, protocol::no_node, 0};
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw_errno("socketpair");
   socket_ = ends[0];
   const Descriptor theirs(ends[1]);
   if (fcntl(socket_, F_SETFL, O_NONBLOCK) != 0) throw_errno("fcntl");
-  const Descriptor socket_above(theirs.moved_up()), memory_above(memory.moved_up());
-  pid_ = spawn(host.string(), plugin.string(), socket_above.get(), memory_above.get());
+  int pipe_ends[2];
+  if (pipe2(pipe_ends, O_CLOEXEC) != 0) throw_errno("pipe2");
+  printed_ = pipe_ends[0];
+  const Descriptor written(pipe_ends[1]);
+  if (fcntl(printed_, F_SETFL, O_NONBLOCK) != 0) throw_errno("fcntl");
+  const Descriptor socket_above(theirs.moved_up()), memory_above(memory.moved_up()),
+      written_above(written.moved_up());
+  pid_ = spawn(config_, plugin, {socket_above.get(), memory_above.get(), written_above.get()});
 }
 
 void SubjectProcess::kill() {
@@ -134,7 +169,24 @@ void SubjectProcess::kill() {
     ::kill(pid_, SIGKILL); // it may have left its group
     waitpid(std::exchange(pid_, -1), nullptr, 0);
   }
+  read_printed();
+  if (printed_ >= 0) close(std::exchange(printed_, -1));
   if (marker_ != nullptr) munmap(std::exchange(marker_, nullptr), sizeof(protocol::Marker));
+}
+
+/// Passes on what the plug-in has printed so far; of one that goes on printing, more than a pipe
+/// holds.
+void SubjectProcess::read_printed() {
+  char text[4096];
+  for (int i = 0; i < 64 && printed_ >= 0; ++i) {
+    const ssize_t n = read(printed_, text, sizeof text);
+    if (n > 0)
+      output_->pass_on({text, std::size_t(n)});
+    else if (n == 0 || (errno != EINTR && errno != EAGAIN))
+      close(std::exchange(printed_, -1));
+    else if (errno == EAGAIN)
+      return;
+  }
 }
 
 std::string SubjectProcess::place() const {
@@ -142,7 +194,15 @@ std::string SubjectProcess::place() const {
                                  std::size_t(protocol::Function::none)); // whoever wrote there
   const std::uint32_t node = marker_->node.load();
   const char* name = protocol::function_names[function];
-  return node == protocol::no_node ? name : fmt::format("{} of node {}", name, node);
+  return (node == protocol::no_node ? name : fmt::format("{} of node {}", name, node)) + about_;
+}
+
+/// What is to be said where the plug-in was refused memory in its last question.
+std::string SubjectProcess::refused_memory() const {
+  const std::uint64_t bytes = marker_->refused_memory.load();
+  if (bytes == 0) return {};
+  return fmt::format("; its memory limit of {} was reached: {} more were refused",
+                     memory_text(config_.memory_limit), memory_text(bytes));
 }
 
 void SubjectProcess::fail(const std::string& what) {
@@ -161,7 +221,7 @@ void SubjectProcess::fail_by_death() {
     ended = waitpid(pid_, &status, WNOHANG);
     if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  const std::string where = place();
+  const std::string where = place() + refused_memory();
   if (ended != pid_) fail("closed the connection to the oracle " + where);
   ::kill(-pid_, SIGKILL); // what it may have started
   pid_ = -1;
@@ -173,16 +233,17 @@ void SubjectProcess::fail_by_death() {
 
 void SubjectProcess::wait_for(short event, const Deadline& deadline) {
   for (;;) {
-    pollfd ready{socket_, event, 0};
+    pollfd ready[] = {{socket_, event, 0}, {printed_, POLLIN, 0}}; // -1 is left out
     const int left = deadline.milliseconds_left();
-    const int n = poll(&ready, 1, left);
-    if (n > 0) return;
+    const int n = poll(ready, std::size(ready), left);
+    if (n > 0 && ready[1].revents != 0) read_printed();
+    if (n > 0 && ready[0].revents != 0) return;
     if (n < 0 && errno != EINTR) throw_errno("poll");
-    if (n == 0 && left == 0) {
+    if (n >= 0 && left == 0) {
       siginfo_t info{}; // it may be dead, and a process that it started hold the connection
       const int peek = WEXITED | WNOHANG | WNOWAIT;
       if (waitid(P_PID, id_t(pid_), &info, peek) == 0 && info.si_pid == pid_) fail_by_death();
-      fail(fmt::format("hung for {:g} s {}", seconds_, place()));
+      fail(fmt::format("hung for {:g} s {}", config_.time_limit, place()));
     }
   }
 }
@@ -220,20 +281,21 @@ std::span<const std::byte> SubjectProcess::receive_answer(const Deadline& deadli
   if (header.size > (done ? most : longest_text)) fail("wrote to the oracle's own connection");
   answer_.resize(header.size);
   receive(answer_, deadline);
-  if (!done) fail(protocol::Reader(answer_).rest());
+  if (!done) fail(protocol::Reader(answer_).rest() + refused_memory());
   return answer_;
 }
 
 std::span<const std::byte> SubjectProcess::loaded() {
   constexpr std::uint64_t longest_name = 4096;
-  return receive_answer(Deadline(seconds_), longest_name);
+  return receive_answer(Deadline(config_.time_limit), longest_name);
 }
 
 std::span<const std::byte> SubjectProcess::ask(protocol::Request request,
                                                std::span<const std::byte> payload,
-                                               std::uint64_t most) {
+                                               std::uint64_t most, std::string about) {
   if (!is_alive()) throw SubjectFailure(failure_);
-  const Deadline deadline(seconds_);
+  about_ = std::move(about);
+  const Deadline deadline(config_.time_limit);
   send(protocol::joined(protocol::RequestHeader{request, payload.size()}, payload), deadline);
   return receive_answer(deadline, most);
 }

@@ -3,32 +3,54 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <sys/types.h>
 
+#include <oracle/subjects/plugin_subject.h>
 #include <oracle/subjects/subject_protocol.h>
 
 namespace lightcuts::oracle {
+
+/// What a plug-in prints: so much of it goes to stderr. Used by many threads.
+class PluginOutput {
+public:
+  explicit PluginOutput(std::string name) : name_(std::move(name)) {}
+  /// Passes on what fits; says once that there was more.
+  void pass_on(std::string_view text);
+
+private:
+  static constexpr std::size_t most = 64 * 1024; ///< bytes
+  std::string name_;
+  std::mutex mutex_;
+  std::size_t left_ = most;
+  bool said_ = false;
+};
 
 /// A plug-in in a process of its own, for one thread. Whatever goes wrong with it kills the process
 /// and throws SubjectFailure; so does everything asked after that.
 class SubjectProcess {
 public:
-  /// Starts `host` with the plug-in. seconds: time limit of each question.
-  SubjectProcess(const std::filesystem::path& host, const std::filesystem::path& plugin,
-                 double seconds);
+  /// Starts config.host with the plug-in.
+  SubjectProcess(const std::filesystem::path& plugin, const PluginConfig& config,
+                 std::shared_ptr<PluginOutput> output);
   ~SubjectProcess();
   SubjectProcess(const SubjectProcess&) = delete;
   SubjectProcess& operator=(const SubjectProcess&) = delete;
 
   /// The answer to the loading of the plug-in; to be called first.
   [[nodiscard]] std::span<const std::byte> loaded();
-  /// The answer to a request, of `most` bytes at most; valid until the next.
-  [[nodiscard]] std::span<const std::byte>
-  ask(protocol::Request request, std::span<const std::byte> payload, std::uint64_t most);
+  /// The answer to a request, of `most` bytes at most; valid until the next. about: what else is to
+  /// be said of the question where it is not answered.
+  [[nodiscard]] std::span<const std::byte> ask(protocol::Request request,
+                                               std::span<const std::byte> payload,
+                                               std::uint64_t most, std::string about = {});
   /// Ends the process for what it answered, which cannot be read.
   [[noreturn]] void refuse(const std::string& what);
 
@@ -37,22 +59,26 @@ public:
 private:
   class Deadline;
 
-  void start(const std::filesystem::path& host, const std::filesystem::path& plugin);
+  void start(const std::filesystem::path& plugin);
   std::span<const std::byte> receive_answer(const Deadline& deadline, std::uint64_t most);
   void send(std::span<const std::byte> bytes, const Deadline& deadline);
   void receive(std::span<std::byte> bytes, const Deadline& deadline);
   void wait_for(short event, const Deadline& deadline);
+  void read_printed();
   [[noreturn]] void fail_by_death();
   [[noreturn]] void fail(const std::string& what);
   [[nodiscard]] std::string place() const;
+  [[nodiscard]] std::string refused_memory() const;
   void kill();
 
   std::string name_; ///< the file's
-  double seconds_;
+  PluginConfig config_;
+  std::shared_ptr<PluginOutput> output_;
   pid_t pid_ = -1;
   int socket_ = -1;
+  int printed_ = -1; ///< the end of a pipe; -1 once nobody holds the other one
   protocol::Marker* marker_ = nullptr;
-  std::string failure_;
+  std::string about_, failure_;
   std::vector<std::byte> answer_;
 };
 

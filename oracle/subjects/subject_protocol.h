@@ -30,6 +30,8 @@ enum class Request : std::uint32_t {
   lower_bounds,  ///< point -> 3 floats of each node
   estimates,     ///< point, first node, count, 3 floats of each -> 3 doubles of each
   select,        ///< point, config, a byte for each light -> Cut, clusters
+  draws,         ///< point, config, count, a byte for each light, queries (64 bits) -> of each Cut,
+                 ///< count of clusters (64 bits), clusters
   samples,       ///< point, node, count, doubles -> Draw of each
   probabilities, ///< point, node, count, lights -> a double of each
   order          ///< two doubles -> std::uint32_t
@@ -92,6 +94,7 @@ enum class Function : std::uint32_t {
   sample,
   probability,
   refined_before,
+  draw,
   none,
 };
 inline constexpr std::array<const char*, std::size_t(Function::none) + 1> function_names{
@@ -103,12 +106,14 @@ inline constexpr std::array<const char*, std::size_t(Function::none) + 1> functi
     "in lower_bound()",    "in estimate()",
     "in select()",         "in sample()",
     "in probability()",    "in refined_before()",
-    "between two calls"};
+    "in draw()",           "between two calls"};
 
 /// Memory that the host shares with the oracle: all that is known when the host is no more.
 struct Marker {
   std::atomic<Function> function;
   std::atomic<std::uint32_t> node;
+  std::atomic<std::uint64_t> refused_memory; ///< bytes of the last allocation in the question that
+                                             ///< was refused; 0: none was
 };
 inline constexpr std::uint32_t no_node = ~std::uint32_t(0);
 

@@ -60,5 +60,19 @@ TEST(ParseDuration, TakesSecondsMinutesAndHours) {
     EXPECT_EQ(parse_duration(text), std::nullopt) << text;
 }
 
+TEST(ParseMemory, ReadsBinaryUnits) {
+  EXPECT_EQ(parse_memory("64KiB"), 65'536U);
+  EXPECT_EQ(parse_memory("512MiB"), 536'870'912U);
+  EXPECT_EQ(parse_memory("4GiB"), 4'294'967'296U);
+  EXPECT_EQ(parse_memory("1TiB"), 1'099'511'627'776U);
+  EXPECT_EQ(parse_memory("8388607TiB"), 9'223'370'937'343'148'032U);
+}
+
+TEST(ParseMemory, RefusesAnythingElse) {
+  for (const char* text : {"", "0GiB", "512", "4GB", "4G", "GiB", "iB", "4 GiB", "1.5GiB", "-1GiB",
+                           "4GiBs", "8388608TiB", "18446744073709551615KiB"})
+    EXPECT_FALSE(parse_memory(text)) << text;
+}
+
 } // namespace
 } // namespace lightcuts::options

@@ -30,6 +30,7 @@ TEST(Help, OfCheckShowsEveryDefault) {
   expect_common_defaults(help);
   EXPECT_THAT(help, HasSubstr("--threshold TEXT=auto"));
   EXPECT_THAT(help, HasSubstr("--cases TEXT=1e7"));
+  EXPECT_THAT(help, HasSubstr("--memory-limit TEXT=4GiB"));
 }
 
 TEST(Help, OfReportShowsEveryDefault) {

@@ -4,6 +4,7 @@
 #define _POSIX_C_SOURCE 200809L // fork(), pause()
 #include <lightcuts/oracle/subject_abi.h>
 
+#include <fenv.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -30,12 +31,34 @@ static void misbehave_in(const char* function) {
 
 __attribute__((constructor)) static void when_loaded(void) { misbehave_in("load"); }
 
+static unsigned builds = 0;
+
 /// The lights are leaves 1, 2, ... of the root.
 typedef struct tree {
   uint32_t count;
 } tree;
 
+/// Rounds upwards, and takes subnormals for 0.
+static void spoil_arithmetic(void) {
+  fesetround(FE_UPWARD);
+#ifdef __SSE__
+  __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() | 0x8040);
+#endif
+}
+
+static int arithmetic_is_usual(void) {
+  volatile float subnormal = 0x1p-140F;
+  return fegetround() == FE_TONEAREST && subnormal * 0.5F > 0;
+}
+
 static void harm_the_process(void) {
+  if (fault_is("prints_much"))
+    for (int i = 0; i < 20000; ++i) puts("0123456789012345678901234567890123456789012345");
+  if (fault_is("spoils_arithmetic")) spoil_arithmetic();
+  if (fault_is("forks_a_sleeper") && fork() == 0) hang();
+  if (fault_is("hoards_and_aborts") || fault_is("hoards"))
+    while (malloc(1 << 20) != NULL) continue;
+  if (fault_is("hoards_and_aborts")) abort();
   if (fault_is("prints")) {
     puts("this is not JSON");
     fflush(stdout);
@@ -61,8 +84,9 @@ static void* build(const lightcuts_light* lights, uint32_t count, float min_dist
   (void)min_distance;
   (void)seed;
   misbehave_in("build");
+  ++builds;
   harm_the_process();
-  if (fault_is("null_tree")) return NULL;
+  if (fault_is("null_tree") || fault_is("hoards")) return NULL;
   tree* t = malloc(sizeof *t);
   if (t != NULL) t->count = count;
   return t;
@@ -114,12 +138,15 @@ static int bound(void* of, uint32_t node, const lightcuts_point* point, float ou
   (void)of;
   (void)node;
   (void)point;
+  if (fault_is("hang_in_bound") && fork() == 0) hang();
   misbehave_in("bound");
   if (fault_is("code_in_bound")) return 42;
   if (fault_is("nothing_written")) return 0;
   for (int c = 0; c < 3; ++c) out[c] = INFINITY;
   if (fault_is("nan_bound")) out[1] = NAN;
   static float next = 1e30F;
+  if (fault_is("spoils_arithmetic")) out[0] = arithmetic_is_usual() ? 1 : 0;
+  if (fault_is("counts_builds")) out[0] = (float)builds;
   if (fault_is("random_bound")) out[0] = next *= 1.0001F;
   return 0;
 }

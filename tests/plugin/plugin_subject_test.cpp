@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/subjects/plugin_subject.h>
 
-#include <chrono>
-#include <fstream>
 #include <ostream>
 #include <set>
 #include <thread>
@@ -71,15 +69,8 @@ std::set<std::string> broken_names(const Tally& tally) {
   return names;
 }
 
-/// Children of this process.
-int children() {
-  int count = 0;
-  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
-    std::ifstream file(task.path() / "children");
-    for (int pid = 0; file >> pid;) ++count;
-  }
-  return count;
-}
+/// How many children this process has.
+int children() { return int(children_of(getpid()).size()); }
 
 // ---- what is wrong in its own way
 
@@ -137,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
     Hangs, FaultyPlugin,
     testing::Values(Fault{"hang_in_build", answers, "hung for 1 s in build()"},
                     Fault{"hang_in_bound", answers, "hung for 1 s in bound() of node 0"},
-                    Fault{"hang_in_select", answers, "hung for 1 s in select()"}),
+                    Fault{"hang_in_select", answers, "hung for 1 s in select(), threshold "}),
     test_name);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -226,6 +217,65 @@ TEST(PluginParts, OfALaterHeaderDoNotMatter) {
   EXPECT_THAT(broken_names(verdict(*plugin("newer_table"))), IsEmpty());
 }
 
+// ---- random cuts
+
+/// Of the cases in which much is drawn.
+Tally verdict_on_draws(const Subject& subject) {
+  Tally tally;
+  int cases = 0;
+  for (std::uint64_t i = 0; cases < 3; ++i) {
+    const Case on = random_case(1, i);
+    if (!on.draws) continue;
+    check_case(subject, on, i, tally);
+    ++cases;
+  }
+  return tally;
+}
+
+TEST(PluginDraws, OfTheExampleAreRight) {
+  const auto subject = example("top_down_tree");
+  EXPECT_TRUE(has(subject->parts(), Part::random_cuts));
+  const Tally tally = verdict_on_draws(*subject);
+  EXPECT_THAT(broken_names(tally), IsEmpty());
+  EXPECT_GT(tally[Property::stochastic_is_unbiased].cases, 0U);
+  EXPECT_GT(tally[Property::draws_are_independent].cases, 0U);
+}
+
+TEST(PluginDraws, AreConvicted) {
+  const auto broken_by = [](const char* fault) {
+    return broken_names(verdict_on_draws(*plugin(fault)));
+  };
+  EXPECT_THAT(broken_by("one_number_for_all"), testing::ElementsAre("draws-are-independent"));
+  EXPECT_THAT(broken_by("drawn_evenly"), testing::Contains("stochastic-is-unbiased"));
+  EXPECT_THAT(broken_by("cut_by_query"), testing::ElementsAre("draws-are-independent"));
+  EXPECT_THAT(verdict_on_draws(*plugin("draws_no_node"))[Property::subject_answers].first_violation,
+              HasSubstr("returned node 123456789 of "));
+}
+
+TEST(PluginDraws, AreNotInAnOlderTable) {
+  const auto subject = plugin("older_table");
+  EXPECT_FALSE(has(subject->parts(), Part::random_cuts));
+  EXPECT_TRUE(has(subject->parts(), Part::sampling));
+  EXPECT_THAT(broken_names(verdict(*subject)), IsEmpty());
+}
+
+TEST(PluginDraws, AreThoseOfTheirQueries) {
+  const auto subject = example("top_down_tree");
+  const auto tree = subject->build(three_lights().light_set(), 1);
+  const ShadingPoint point = three_lights().views[0].view.point();
+  const CutConfig config{0.5F, 2, 0};
+  const auto seen = [](std::uint32_t) { return true; };
+  std::vector<std::uint64_t> queries(300);
+  for (std::size_t i = 0; i < queries.size(); ++i) queries[i] = i;
+  std::vector<glm::vec3> together, one_by_one;
+  tree->draws(point, config, queries, seen,
+              [&](const Cut& cut) { together.push_back(cut.radiance); });
+  for (const std::uint64_t query : queries)
+    one_by_one.push_back(tree->draw(point, config, query, seen).radiance);
+  EXPECT_EQ(together, one_by_one);
+  EXPECT_FALSE(tree->draw(point, config, 7, seen).clusters.empty());
+}
+
 // ---- what is no plug-in
 
 std::string refusal(const std::filesystem::path& file, double time_limit = 10) {
@@ -270,6 +320,28 @@ TEST(PluginProcess, IsKilledAtTheTimeLimit) {
   EXPECT_LT(seconds_since(start), 30);
 }
 
+#ifndef __SANITIZE_ADDRESS__ // whose own memory leaves no room for a limit
+TEST(PluginProcess, IsRefusedMemoryBeyondItsLimit) {
+  const auto failure = [](const char* name, std::uint64_t mebibytes) -> std::string {
+    const auto subject = plugin_subject(
+        plugin_file(name), {.time_limit = 60, .memory_limit = mebibytes << 20, .host = {}});
+    try {
+      (void)subject->build(three_lights().light_set(), 1);
+    } catch (const SubjectFailure& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(failure("hoards", 256), "libhoards.so: returned NULL in build(); its memory limit of "
+                                    "256 MiB was reached: 1 MiB more were refused");
+  EXPECT_EQ(failure("hoards_and_aborts", 1024),
+            "libhoards_and_aborts.so: crashed (signal 6, Aborted) in build(); its memory limit of "
+            "1 GiB was reached: 1 MiB more were refused");
+  EXPECT_EQ(failure("null_tree", 256), "libnull_tree.so: returned NULL in build()");
+  EXPECT_EQ(failure("none", 64), "");
+}
+#endif
+
 TEST(PluginProcess, EndsWithItsSubject) {
   const int before = children();
   {
@@ -281,6 +353,23 @@ TEST(PluginProcess, EndsWithItsSubject) {
                 testing::Contains("subject-answers"));
   }
   EXPECT_EQ(children(), before);
+}
+
+TEST(PluginProcess, EndsWithAllThatItStarted) {
+  pid_t sleeper = 0;
+  {
+    const auto subject = plugin("forks_a_sleeper");
+    const auto tree = subject->build(three_lights().light_set(), 1);
+    sleeper = child_of(child_of(getpid()));
+    EXPECT_TRUE(is_running(sleeper));
+  }
+  EXPECT_TRUE(ends(sleeper));
+}
+
+TEST(PluginProcess, HasTheUsualArithmeticInEachCall) {
+  const auto subject = plugin("spoils_arithmetic");
+  const auto tree = subject->build(three_lights().light_set(), 1);
+  EXPECT_EQ(tree->bound(0, three_lights().views[0].view.point()).x, 1);
 }
 
 TEST(PluginProcess, IsUsedAgain) {
@@ -305,6 +394,35 @@ TEST(PluginTree, SaysAgainThatItHasFailed) {
   for (int i = 0; i < 2; ++i) EXPECT_THROW((void)tree->bound(0, point), SubjectFailure);
   const auto next = subject->build(three_lights().light_set(), 1);
   EXPECT_EQ(next->claim().nodes.size(), 4U);
+}
+
+/// How many trees the process of a tree has built.
+float builds(SubjectTree& tree) { return tree.bound(0, three_lights().views[0].view.point()).x; }
+
+TEST(PluginTree, IsBuiltInTheProcessOfTheOneBefore) {
+  const auto subject = plugin("counts_builds");
+  const LightSet lights = three_lights().light_set();
+  auto one = subject->build(lights, 1);
+  auto other = subject->build_after(subject->build(lights, 1), lights, 2);
+  one = subject->build_after(std::move(one), lights, 2);
+  other = subject->build_after(std::move(other), lights, 3);
+  EXPECT_EQ(builds(*one), 2);
+  EXPECT_EQ(builds(*other), 3);
+}
+
+TEST(PluginTree, IsBuiltAnewAfterAForeignOne) {
+  const auto subject = plugin("counts_builds"), another = plugin("none");
+  const LightSet lights = three_lights().light_set();
+  EXPECT_EQ(builds(*subject->build_after(another->build(lights, 1), lights, 1)), 1);
+  EXPECT_EQ(builds(*subject->build_after(nullptr, lights, 1)), 2);
+}
+
+TEST(PluginTree, IsBuiltAnewAfterOneThatFailed) {
+  const auto subject = plugin("crash_in_bound");
+  const LightSet lights = three_lights().light_set();
+  auto tree = subject->build(lights, 1);
+  EXPECT_THROW((void)builds(*tree), SubjectFailure);
+  EXPECT_EQ(subject->build_after(std::move(tree), lights, 1)->claim().nodes.size(), 4U);
 }
 
 TEST(PluginTree, AnswersOneByOneAsItDoesManyAtOnce) {

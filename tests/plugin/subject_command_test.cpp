@@ -2,10 +2,7 @@
 #include <tests/cli/oracle_process.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
-#include <fstream>
-#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,6 +14,9 @@ namespace lightcuts {
 namespace {
 
 using nlohmann::json;
+using oracle::child_of;
+using oracle::ends;
+using oracle::is_running;
 using oracle::plugin_file;
 using testing::AllOf;
 using testing::ElementsAre;
@@ -65,8 +65,24 @@ TEST(SubjectOption, ConvictsInOnePiece) {
 TEST(SubjectOption, ConvictsWhatHangs) {
   const Outcome outcome = judged(plugin_file("hang_in_select"), {"--time-limit", "1"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.out, HasSubstr("libhang_in_select.so: hung for 1 s in select()"));
+  EXPECT_THAT(outcome.out, HasSubstr("libhang_in_select.so: hung for 1 s in select(), threshold "));
 }
+
+TEST(SubjectOption, SaysWhereItHungOnTheScenesLights) {
+  const Outcome outcome = judged(plugin_file("hang_in_build"), {"--time-limit", "1"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("No file for subject-answers, as it is on the scene's lights "
+                                     "taken together:\n  libhang_in_build.so: hung for 1 s in "
+                                     "build()\n"));
+}
+
+#ifndef __SANITIZE_ADDRESS__
+TEST(SubjectOption, ConvictsWhatWantsTooMuchMemory) {
+  const Outcome outcome = judged(plugin_file("hoards"), {"--memory-limit", "256MiB"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("its memory limit of 256 MiB was reached"));
+}
+#endif
 
 TEST(SubjectOption, RefusesWhatIsNoTree) {
   for (const char* name :
@@ -79,6 +95,8 @@ TEST(SubjectOption, RefusesWhatIsNoTree) {
   }
   EXPECT_EQ(judged("").exit_code, 3);
   EXPECT_EQ(judged(LIGHTCUTS_BRUTE_TREE, {"--time-limit", "0"}).exit_code, 2);
+  EXPECT_EQ(judged(LIGHTCUTS_BRUTE_TREE, {"--memory-limit", "4GB"}).exit_code, 2);
+  EXPECT_EQ(judged(LIGHTCUTS_BRUTE_TREE, {"--memory-limit", "1MiB"}).exit_code, 2);
 }
 
 // In a subject's way, not in that of the results.
@@ -89,23 +107,12 @@ TEST(SubjectOption, LeadsOutputToStderr) {
   EXPECT_THAT(outcome.err, HasSubstr("this is not JSON"));
 }
 
-/// The first child of a process, once it has one.
-pid_t child_of(pid_t parent) {
-  for (int i = 0; i < 1000; ++i) {
-    const std::filesystem::path tasks = "/proc/" + std::to_string(parent) + "/task";
-    for (const auto& task : std::filesystem::directory_iterator(tasks)) {
-      std::ifstream file(task.path() / "children");
-      if (pid_t child = 0; file >> child) return child;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return 0;
-}
-
-bool is_running(pid_t process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  std::string id, name, state;
-  return file >> id >> name >> state && state != "Z"; // nobody may have waited for it
+TEST(SubjectOption, LeavesOutMostOfMuchOutput) {
+  const Outcome outcome = judged(plugin_file("prints_much"));
+  EXPECT_EQ(outcome.exit_code, 0);
+  const std::string end = "\nlibprints_much.so: prints more than 64 KiB, which is left out\n";
+  EXPECT_EQ(outcome.err.size(), 64 * 1024 + end.size());
+  EXPECT_TRUE(outcome.err.ends_with(end));
 }
 
 TEST(SubjectOption, LeavesNoProcessWhereTheOracleIsKilled) {
@@ -117,13 +124,33 @@ TEST(SubjectOption, LeavesNoProcessWhereTheOracleIsKilled) {
   argv.push_back(nullptr);
   pid_t oracle = 0;
   ASSERT_EQ(posix_spawn(&oracle, argv[0], nullptr, nullptr, argv.data(), environ), 0);
-  const pid_t host = child_of(oracle);
+  const pid_t host = child_of(oracle), sleeper = child_of(host); // both hang
   EXPECT_TRUE(is_running(host));
+  EXPECT_TRUE(is_running(sleeper));
   kill(oracle, SIGKILL);
   waitpid(oracle, nullptr, 0);
-  for (int i = 0; i < 500 && is_running(host); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  EXPECT_FALSE(is_running(host));
+  EXPECT_TRUE(ends(host));
+  EXPECT_TRUE(ends(sleeper));
+}
+
+TEST(SubjectOption, IsRememberedByFilesThatAreReplayedElsewhere) {
+  const OracleProcess oracle, elsewhere;
+  const auto library = oracle.folder() / "libmine.so";
+  std::filesystem::copy_file(plugin_file("half_bound"), library);
+  ASSERT_EQ(oracle.run({"stress", "--subject", "./libmine.so", "--out", "."}).exit_code, 1);
+  const std::string file = oracle.folder() / "counterexample-bound-dominates-contribution.json";
+  const Outcome outcome = elsewhere.run({"replay", file});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("is still violated by half bound (libmine.so)"));
+  EXPECT_THAT(elsewhere.run({"replay", file, "--as-test"}).out,
+              HasSubstr("subject_named(\"" + library.string() + "\")"));
+  std::filesystem::remove(library);
+  const Outcome gone = elsewhere.run({"replay", file});
+  EXPECT_EQ(gone.exit_code, 3);
+  EXPECT_THAT(gone.err,
+              AllOf(HasSubstr(file + ": "), HasSubstr(library.string() + ": no such file"),
+                    HasSubstr("--subject")));
+  EXPECT_EQ(elsewhere.run({"replay", file, "--subject", "lightcuts"}).exit_code, 0);
 }
 
 TEST(SubjectOption, IsOneOfStressToo) {

@@ -19,7 +19,7 @@ void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   }
   record(worst.holds, worst.ratio, [&] {
     return sides_text(of, node, worst, "lower bound", "true contribution",
-                      static_cast<double>(of.at.truth.open(node)[worst.channel]));
+                      of.at.truth.open(node)[std::size_t(worst.channel)]);
   });
 }
 

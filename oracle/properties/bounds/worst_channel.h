@@ -28,13 +28,14 @@ struct WorstChannel {
   }
 };
 
-/// Both sides of a comparison for a node, in one channel.
+/// Both sides of a comparison for a node, in one channel, with nine digits, or as many as tell them
+/// apart.
 [[nodiscard]] std::string sides_text(const ShadingPoint& point, const Topology& topology,
                                      std::uint32_t node, int channel, const char* left,
-                                     long double value, const char* right, double limit);
+                                     long double value, const char* right, long double limit);
 
 inline std::string sides_text(const PointAnswers& of, std::uint32_t node, const WorstChannel& worst,
-                              const char* left, const char* right, double limit) {
+                              const char* left, const char* right, long double limit) {
   return sides_text(of.at.point, of.topology(), node, worst.channel, left, worst.value, right,
                     limit);
 }

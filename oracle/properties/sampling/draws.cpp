@@ -83,22 +83,30 @@ std::optional<std::uint64_t> Draws::needed(std::uint64_t most, bool unbiased) co
   return draws;
 }
 
+void Draws::add(const Cut& one, DrawSums& sums) const {
+  for (std::size_t c = 0; c < 3; ++c) sums.radiance[c] += one.radiance[int(c)];
+  sums.same_cut =
+      std::equal(one.clusters.begin(), one.clusters.end(), clusters_.begin(), clusters_.end(),
+                 [](const CutCluster& a, const RandomCluster& b) { return a.node == b.node; });
+  for (std::size_t k = 0; sums.same_cut && k + 1 < clusters_.size(); ++k) {
+    const auto off = [&](std::size_t j) {
+      return one.clusters[j].estimate[int(channel_)] - clusters_[j].mean[channel_];
+    };
+    sums.products[k] += off(k) * off(k + 1);
+  }
+}
+
 DrawSums Draws::drawn() const {
   const auto visible = [&](std::uint32_t light) { return point.at.sees(light); };
   DrawSums sums;
   sums.products.resize(clusters_.size() - 1, 0);
-  for (std::uint64_t i = 0; i < count_ && sums.same_cut; ++i) {
-    const Cut one = point.judged.tree.draw(point.at.point, cut, hashed(seed_, i), visible);
-    for (std::size_t c = 0; c < 3; ++c) sums.radiance[c] += one.radiance[int(c)];
-    sums.same_cut =
-        std::equal(one.clusters.begin(), one.clusters.end(), clusters_.begin(), clusters_.end(),
-                   [](const CutCluster& a, const RandomCluster& b) { return a.node == b.node; });
-    for (std::size_t k = 0; sums.same_cut && k + 1 < clusters_.size(); ++k) {
-      const auto off = [&](std::size_t j) {
-        return one.clusters[j].estimate[int(channel_)] - clusters_[j].mean[channel_];
-      };
-      sums.products[k] += off(k) * off(k + 1);
-    }
+  std::vector<std::uint64_t> queries;
+  for (std::uint64_t done = 0; done < count_ && sums.same_cut; done += queries.size()) {
+    queries.resize(std::min<std::uint64_t>(count_ - done, 256));
+    for (std::size_t i = 0; i < queries.size(); ++i) queries[i] = hashed(seed_, done + i);
+    point.judged.tree.draws(point.at.point, cut, queries, visible, [&](const Cut& one) {
+      if (sums.same_cut) add(one, sums);
+    });
   }
   return sums;
 }

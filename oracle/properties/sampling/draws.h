@@ -61,6 +61,7 @@ private:
   void of_single_draws(const DrawConfig& config);
   [[nodiscard]] std::optional<std::uint64_t> needed(std::uint64_t most, bool unbiased) const;
   [[nodiscard]] DrawSums drawn() const;
+  void add(const Cut& one, DrawSums& sums) const;
 
   std::uint64_t seed_, count_ = 0;
   double rate_ = 0;

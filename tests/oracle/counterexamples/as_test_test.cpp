@@ -37,15 +37,15 @@ TEST(AsTest, PrintsATestThatCompiles) {
 }
 
 TEST(AsTest, JudgesTheSubjectOfTheFile) {
-  const auto text = [](const char* subject) {
+  const auto text = [](const std::string& subject) {
     return as_test({subject, {Property::threads_agree, all_features_case(), "", 0}});
   };
-  EXPECT_THAT(text("lightcuts"), HasSubstr("failure_of(*library_subject()"));
-  EXPECT_THAT(text("paper"), HasSubstr("failure_of(*paper_subject()"));
-  EXPECT_THAT(text("locally-ordered"), HasSubstr("failure_of(*locally_ordered_subject()"));
-  EXPECT_THAT(text("stochastic-intensity"),
-              HasSubstr("failure_of(*stochastic_intensity_subject()"));
-  EXPECT_THAT(text("lightcuts"), Not(HasSubstr("EXPECT_NE")));
+  for (const std::string name : {"lightcuts", "paper", "/of/some one/libmine.so"}) {
+    EXPECT_THAT(text(name), HasSubstr("EXPECT_EQ(failure_of(*subject_named(\"" + name + "\"),"));
+    EXPECT_THAT(text(name), HasSubstr("#include <oracle/subjects/subjects.h>"));
+    EXPECT_THAT(text(name), Not(HasSubstr("EXPECT_NE")));
+  }
+  EXPECT_THAT(text("/a\\b\"c.so"), HasSubstr("subject_named(\"/a\\\\b\\\"c.so\")"));
   EXPECT_THAT(text("mutant:heap-inverted"), HasSubstr("TEST(HeapInverted, ThreadsAgree)"));
 }
 

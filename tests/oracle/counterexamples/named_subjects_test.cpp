@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/counterexamples/named_subjects.h>
 
+#include <filesystem>
+
 #include <gtest/gtest.h>
 #include <oracle/mutants/mutants.h>
 
@@ -36,6 +38,13 @@ TEST(SubjectNamed, RefusesWhatItDoesNotKnowWithItsName) {
 TEST(SubjectNamed, TakesWhatLooksLikeAFileForAPlugIn) {
   for (const char* file : {"./nowhere", "nowhere.so", "/nowhere/at.all"})
     expect_refusal("nowhere", [&] { (void)subject_named(file)->build({}, 1); });
+}
+
+TEST(FullSubjectName, OfAPlugInLeadsToItFromEverywhere) {
+  const std::filesystem::path here = std::filesystem::current_path();
+  EXPECT_EQ(full_subject_name("./a/../b.so"), here / "b.so");
+  EXPECT_EQ(full_subject_name("b.so"), here / "b.so");
+  EXPECT_EQ(full_subject_name("/nowhere/at.all"), "/nowhere/at.all");
 }
 
 TEST(IsLibrary, HoldsForLightcutsAlone) {

@@ -2,6 +2,7 @@
 #include <oracle/explain/explain.h>
 
 #include <algorithm>
+#include <numbers>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -62,6 +63,60 @@ TEST(Explain, ShowsTheErrorOfAnEstimate) {
       explained("intensity-of-representative", Property::bound_shrinks_on_refinement, on);
   EXPECT_THAT(text, AllOf(HasSubstr("bound of node 1"), HasSubstr("bound of node 2"),
                           HasSubstr("they part here: channel")));
+}
+
+/// All bounds are the one that a test gives.
+class OneBoundTree : public LibraryTree {
+public:
+  OneBoundTree(LightTree tree, float bound) : LibraryTree(std::move(tree)), bound_(bound) {}
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<OneBoundTree>(tree(), bound_);
+  }
+  glm::vec3 bound(std::uint32_t, const ShadingPoint&) override { return glm::vec3(bound_); }
+
+private:
+  float bound_;
+};
+
+std::string explained_with_bound(float bound, const Case& on) {
+  const MadeSubject subject(
+      [&](LightTree tree) { return std::make_unique<OneBoundTree>(std::move(tree), bound); });
+  return explain(subject, {Property::bound_dominates_contribution, on, "", 0});
+}
+
+TEST(Explain, ShowsATruthBelowTheRangeOfDoubles) {
+  Case on;
+  on.lights = {{.position = {2.2245F, 0, 1}, .intensity = {1, 1, 1}}};
+  on.views = {{{.material = {glm::vec3(0), Phong{glm::vec3(1), 1000}}}, {}}};
+  const std::string text = explained_with_bound(0, on);
+  EXPECT_THAT(text, ContainsRegex("true contribution [0-9.]+e-38[0-9], bound 0\n"));
+  EXPECT_THAT(text, ContainsRegex("truth [0-9.]+e-38[0-9] > the subject's bound 0\n"));
+}
+
+TEST(Explain, ShowsRatiosThatAreNearlyOne) {
+  Case on = two_lights_above();
+  on.lights.pop_back();
+  float bound = 0;
+  double ratio = 2; // of the contribution to the float below it
+  for (float i = 1; ratio > 1 + 1e-9; ++i) {
+    on.lights[0].intensity = glm::vec3(i);
+    const double truth = double(i) / std::numbers::pi;
+    bound = static_cast<float>(truth);
+    if (bound < truth) ratio = truth / double(bound);
+  }
+  EXPECT_THAT(explained_with_bound(bound, on), ContainsRegex(", 1 \\+ [0-9.]+e-[0-9]+ times\n"));
+}
+
+TEST(Explain, DoesNotChooseAmongFactors) {
+  Case on = two_lights_above();
+  EXPECT_THAT(explained_with_bound(0.25F, on),
+              ContainsRegex("for n\\.l falloff; light [01] has 1\n"));
+  for (Light& light : on.lights) {
+    light.kind = LightKind::oriented;
+    light.axis = {0.8F, 0, -0.6F};
+  }
+  EXPECT_THAT(explained_with_bound(0.25F, on),
+              ContainsRegex("for n\\.l falloff emission; light [01] has 0\\.[56]"));
 }
 
 /// A bright light and dim ones, on which refining the smallest bound first stops too early.

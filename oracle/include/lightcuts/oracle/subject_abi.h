@@ -15,8 +15,12 @@
 ///
 /// What holds for all functions:
 /// - They run in a process of their own, one at a time. Crashing, exiting, hanging (10 s for each
-///   question, unless told otherwise) is a violation of subject-answers. What they print to stdout
-///   goes to stderr.
+///   question, unless told otherwise) is a violation of subject-answers. They are refused
+///   memory beyond 4 GiB, unless told otherwise. Of what they print, the first 64 KiB go to the
+///   oracle's stderr. Processes that they start end with theirs, unless they leave its group.
+/// - They are called with the floating-point environment that a C program starts with: what they do
+///   to rounding, traps or subnormals ends with the call, and so does what -ffast-math does where
+///   the library is loaded.
 /// - Several trees are built one after another in one process; the one before is destroyed first.
 ///   The same tree is built in several processes, one for each thread of the oracle; all have to
 ///   answer the same bits (threads-agree).
@@ -146,7 +150,9 @@ typedef struct lightcuts_visibility {
 
 /// A light tree. abi_version, size, and the functions build to lights are required. All others may
 /// be NULL: the oracle judges what is there and says what it could not judge. `tree` is what
-/// build() returned; `node` an index below node_count(), 0 being the root.
+/// build() returned; `node` an index below node_count(), 0 being the root. Functions are only ever
+/// added at the end: `size` tells which of them a plug-in knew of, and those after it are not
+/// called.
 typedef struct lightcuts_subject {
   uint32_t abi_version; ///< LIGHTCUTS_SUBJECT_ABI_VERSION
   uint32_t size;        ///< sizeof(lightcuts_subject)
@@ -198,6 +204,21 @@ typedef struct lightcuts_subject {
   /// Whether (1 or 0) a cluster is refined before another, by their bounds relative to the total:
   /// >= 0, +inf included.
   int (*refined_before)(double bound, double other);
+
+  /// A random estimate: each cluster of a cut is lit by one of its lights, drawn by random numbers
+  /// of your own that `query` decides; the same query, the same bits. A cluster's estimate is what
+  /// that light contributes, 0 if it is not seen, divided by the probability() of the light in that
+  /// cluster; or, of a leaf, what its lights contribute together. Promised in real numbers:
+  /// - In the mean over queries, radiance is what all lights that are seen contribute
+  ///   (stochastic-is-unbiased).
+  /// - What is drawn of one cluster says nothing of what is drawn of another, nor one query of the
+  ///   next (draws-are-independent).
+  /// - Clusters and their order are those of all queries: whether to refine one must not depend on
+  ///   what is drawn.
+  /// Whether its certified_error holds and its end is true is not judged. Judged only beside
+  /// sample() and probability(). A table whose size ends before it has no draw().
+  int (*draw)(void* tree, const lightcuts_point* point, const lightcuts_cut_config* config,
+              uint64_t query, const lightcuts_visibility* visibility, lightcuts_cut* cut);
 } lightcuts_subject;
 
 /// What a plug-in exports. The table has to stay where it is.
