@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 void add_check_command(CLI::App& app, Action& chosen);
 void add_info_command(CLI::App& app, Action& chosen);
 void add_mutants_command(CLI::App& app, Action& chosen);
+void add_new_subject_command(CLI::App& app, Action& chosen);
 void add_render_command(CLI::App& app, Action& chosen);
 void add_replay_command(CLI::App& app, Action& chosen);
 void add_report_command(CLI::App& app, Action& chosen);

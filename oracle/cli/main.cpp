@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   cli::add_scenes_command(app, chosen);
   cli::add_stress_command(app, chosen);
   cli::add_replay_command(app, chosen);
+  cli::add_new_subject_command(app, chosen);
   // CLI11 says only that a command is missing.
   const auto is_named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_named).empty()) {

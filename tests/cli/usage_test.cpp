@@ -59,8 +59,8 @@ TEST(Help, NamesCommandsAndExitCodes) {
   const Outcome outcome = OracleProcess().run({"--help"});
   EXPECT_EQ(outcome.exit_code, 0);
   for (const char* part :
-       {"check", "report", "render", "mutants", "info", "scenes", "stress", "replay", "0 all holds",
-        "1 a property is violated", "2 usage", "3 input", "4 internal"})
+       {"check", "report", "render", "mutants", "info", "scenes", "stress", "replay", "new-subject",
+        "0 all holds", "1 a property is violated", "2 usage", "3 input", "4 internal"})
     EXPECT_THAT(outcome.out, HasSubstr(part));
 }
 

@@ -38,34 +38,76 @@ void check_drawn(const ClusterOdds& of, double u, Place place_of_u, const DrawnL
   });
 }
 
-/// Draws, and checks what is drawn.
+/// The two neighbouring numbers that draw different lights, once it is narrow enough.
+struct Border {
+  double low, high;
+  std::uint32_t first; ///< what the low one draws, and the high one does not
+
+  [[nodiscard]] bool is_found() const { return !(std::nextafter(low, high) < high); }
+};
+
+/// Draws, and checks what is drawn; many at once, as each question to a plug-in takes its time.
 class Drawing {
 public:
   Drawing(const ClusterOdds& of, const Recorder& record) : of_(of), record_(record) {}
 
-  void by(std::span<const double> random, Place place) const {
-    std::vector<DrawnLight> drawn(random.size());
-    of_.point.judged.tree.samples(of_.node, of_.point.at.point, random, drawn);
-    for (std::size_t i = 0; i < random.size(); ++i)
-      check_drawn(of_, random[i], place, drawn[i], record_);
+  void by(std::span<const double> middle, std::span<const double> border) const {
+    std::vector<double> random(middle.begin(), middle.end());
+    random.insert(random.end(), border.begin(), border.end());
+    const std::vector<DrawnLight> all = drawn(random);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      check_drawn(of_, random[i], i < middle.size() ? Place::middle : Place::border, all[i],
+                  record_);
   }
 
-  /// A border between lights, if another one is drawn by `high` than by `low`: the two neighbouring
-  /// numbers that draw different ones.
-  void at_border(double low, double high) const {
-    const std::uint32_t first = light(low);
-    if (light(high) == first) return;
-    while (std::nextafter(low, high) < high) {
-      const double middle = low + 0.5 * (high - low);
-      (light(middle) == first ? low : high) = middle;
+  /// A border in each interval whose ends draw different lights.
+  void at_borders(std::span<const double> ends) const {
+    std::vector<Border> open;
+    const std::vector<std::uint32_t> at_ends = lights(ends);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      if (at_ends[i] != at_ends[i + 1]) open.push_back({ends[i], ends[i + 1], at_ends[i]});
+    std::vector<double> found;
+    while (!open.empty()) {
+      narrow(open);
+      std::erase_if(open, [&](const Border& b) {
+        if (b.is_found()) found.insert(found.end(), {b.low, b.high});
+        return b.is_found();
+      });
     }
-    by(std::array{low, high}, Place::border);
+    by({}, found);
   }
 
 private:
-  [[nodiscard]] std::uint32_t light(double u) const {
-    const DrawnLight drawn = of_.point.judged.tree.sample(of_.node, of_.point.at.point, u);
-    return drawn.probability == 0 ? std::uint32_t(-1) : drawn.light;
+  static constexpr int parts = 8; ///< even: halves are among them, so that all become narrower
+
+  [[nodiscard]] std::vector<DrawnLight> drawn(std::span<const double> random) const {
+    std::vector<DrawnLight> all(random.size());
+    if (!all.empty()) of_.point.judged.tree.samples(of_.node, of_.point.at.point, random, all);
+    return all;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> lights(std::span<const double> random) const {
+    std::vector<std::uint32_t> result;
+    for (const DrawnLight& one : drawn(random))
+      result.push_back(one.probability == 0 ? std::uint32_t(-1) : one.light);
+    return result;
+  }
+
+  /// Each to the first of its parts whose end draws another light.
+  void narrow(std::vector<Border>& open) const {
+    std::vector<double> between;
+    for (const Border& b : open)
+      for (int k = 1; k < parts; ++k) between.push_back(b.low + (b.high - b.low) * k / parts);
+    const std::vector<std::uint32_t> light = lights(between);
+    std::size_t next = 0;
+    for (Border& b : open) {
+      const std::size_t end = next + parts - 1;
+      std::size_t k = next;
+      while (k < end && light[k] == b.first) ++k;
+      if (k > next) b.low = between[k - 1];
+      if (k < end) b.high = between[k];
+      next = end;
+    }
   }
 
   const ClusterOdds& of_;
@@ -79,12 +121,11 @@ void check(const ClusterOdds& of, const Recorder& record) {
   for (std::size_t i = 0; i < random.size(); ++i)
     random[i] = (double(i) + 0.5) / double(random.size());
   const Drawing drawing(of, record);
-  drawing.by(random, Place::middle);
-  drawing.by(std::array{0.0, largest}, Place::border);
-  // Each takes 50 draws or more.
+  drawing.by(random, std::array{0.0, largest});
+  // Each border takes 100 draws or more.
   constexpr std::size_t few = 8;
-  if (of.node != 0 || of.lights.size() > few) return;
-  for (int i = 0; i < 4; ++i) drawing.at_border(i / 4.0, i == 3 ? largest : (i + 1) / 4.0);
+  if (of.node == 0 && of.lights.size() <= few)
+    drawing.at_borders(std::array{0.0, 0.25, 0.5, 0.75, largest});
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -52,12 +53,13 @@ std::string differing_cut(const PointAnswers& of, SubjectTree& other, const CutC
 
 std::string differing_draw(const PointAnswers& of, SubjectTree& other) {
   if (!of.judged.has(Part::sampling)) return {};
-  for (const double u : {0.0, 0.3, 0.7, 1 - 0x1p-53}) {
-    const DrawnLight a = of.judged.tree.sample(0, of.at.point, u);
-    const DrawnLight b = other.sample(0, of.at.point, u);
-    if (a.light != b.light || a.probability != b.probability)
-      return fmt::format("light drawn by u = {}", u);
-  }
+  constexpr std::array u{0.0, 0.3, 0.7, 1 - 0x1p-53};
+  std::array<DrawnLight, u.size()> a, b;
+  of.judged.tree.samples(0, of.at.point, u, a);
+  other.samples(0, of.at.point, u, b);
+  for (std::size_t i = 0; i < u.size(); ++i)
+    if (a[i].light != b[i].light || a[i].probability != b[i].probability)
+      return fmt::format("light drawn by u = {}", u[i]);
   return {};
 }
 
