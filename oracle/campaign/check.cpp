@@ -176,21 +176,35 @@ private:
       w.visible.resize(lights_.size());
       w.sweep.emplace(*topology_, lights_);
     }
-    const bool bounds_only = i % points_per_full_check != 0 &&
-                             has(subject_.parts(), Part::bounds) &&
-                             w.sweep->supports(p.point.material());
-    if (bounds_only) {
-      const auto start = Clock::now();
-      w.sweep->check(*w.tree, p.point, i, w.tally);
-      w.sweep_seconds += seconds_since(start);
-      w.swept_pairs += topology_->size();
+    if (is_beside_light(i) && has(subject_.parts(), Part::bounds)) {
+      check_beside_light(w, i);
       return;
     }
+    if (i % points_per_full_check != 0 && sweep(w, i, p.point)) return;
     for (std::uint32_t j = 0; j < w.visible.size(); ++j) w.visible[j] = view_.sees(p, j) ? 1 : 0;
     w.truth.evaluate(*topology_, lights_, p.point, w.visible);
     check_point(config_, {i, p.point, w.visible, w.truth}, {*w.tree, subject_.parts()}, w.tally);
     if (i % points_per_excerpt == 0)
       check_case(subject_, excerpt_of(view_, config_, i), i, w.tally);
+  }
+
+  /// Bounds alone, many at a time; returns whether that can be done there.
+  bool sweep(Worker& w, std::uint64_t i, const ShadingPoint& point) {
+    if (!has(subject_.parts(), Part::bounds) || !w.sweep->supports(point.material())) return false;
+    const auto start = Clock::now();
+    w.sweep->check(*w.tree, point, i, w.tally);
+    w.sweep_seconds += seconds_since(start);
+    w.swept_pairs += topology_->size();
+    return true;
+  }
+
+  void check_beside_light(Worker& w, std::uint64_t i) {
+    const ShadingPoint point = view_beside_light_at(view_, *topology_, config_, i).point();
+    if (sweep(w, i, point)) return;
+    w.visible.assign(w.visible.size(), 1);
+    w.truth.evaluate(*topology_, lights_, point, w.visible);
+    const PointCase at{i, point, w.visible, w.truth};
+    Judge(subject_.parts(), i, w.tally).clusters(PointAnswers({*w.tree, subject_.parts()}, at));
   }
 
   /// What the threads have counted goes into the result.

@@ -41,12 +41,19 @@ struct CheckResult {
 /// are omni and the surface is diffuse (elsewhere, all have): coverage is cheap there.
 inline constexpr std::uint64_t points_per_full_check = 32;
 
+/// One shading point in so many is not one that the camera sees, but beside a light: see
+/// view_beside_light(). Clusters are judged there, and nothing else.
+inline constexpr std::uint64_t points_per_beside_light = 8;
+[[nodiscard]] constexpr bool is_beside_light(std::uint64_t place) {
+  return place % points_per_beside_light == points_per_beside_light / 2;
+}
+
 /// Judges the subject on the scene: every property of the tree and of the materials; every cluster
-/// and several cuts at shading points chosen at random among the pixels that see a surface; shadow
-/// rays from there; and excerpts of few lights. Goes on from `done`, an earlier result of the same
-/// scene, subject and configuration but for `pairs` and `seconds`. Same inputs, same counts, for
-/// any number of threads, and however often it was interrupted. Throws InputError if the camera
-/// sees nothing.
+/// and several cuts at shading points chosen at random among the pixels that see a surface, and
+/// beside lights; shadow rays from there; and excerpts of few lights. Goes on from `done`, an
+/// earlier result of the same scene, subject and configuration but for `pairs` and `seconds`. Same
+/// inputs, same counts, for any number of threads, and however often it was interrupted. Throws
+/// InputError if the camera sees nothing.
 [[nodiscard]] CheckResult check(const SceneView& view, const Subject& subject,
                                 const CheckConfig& config, const CheckResult& done = {});
 

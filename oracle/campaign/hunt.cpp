@@ -7,6 +7,7 @@
 
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/core/jobs/seconds_since.h>
+#include <oracle/campaign/ladder.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -26,12 +27,18 @@ HuntResult hunt(const Subject& subject, const HuntConfig& config) {
     return in_time && !config.progress.cancelled();
   };
   HuntResult result;
+  Ladder ladder;
   std::uint64_t end = config.cases;
   for (; result.cases < end && goes_on(); ++result.cases) {
     const std::uint64_t index = result.cases;
+    const std::uint32_t many = many_lights_at(index);
+    if (many > 0 && !ladder.dares(many)) continue;
     const Case on = random_case(config.seed, index);
     Tally tally;
+    const auto begun = Clock::now();
     check_case(subject, on, index, tally);
+    if (many > 0) ladder.went(many, seconds_since(begun));
+    result.most_lights = std::max(result.most_lights, on.lights.size());
     result.tally.merge(tally);
     config.progress.report(double(index + 1) / double(config.cases));
     const std::vector<Property> list = broken(tally);

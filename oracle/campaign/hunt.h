@@ -37,8 +37,9 @@ struct Counterexample {
 };
 
 struct HuntResult {
-  Tally tally;             ///< of all cases up to the one where something was found
-  std::uint64_t cases = 0; ///< judged
+  Tally tally;                 ///< of all cases up to the one where something was found
+  std::uint64_t cases = 0;     ///< judged, or left out since so many lights would take too long
+  std::size_t most_lights = 0; ///< of a case that was judged
   std::optional<Counterexample> found;
   double seconds = 0; ///< until the first case that fails, or until the end
 };
@@ -46,7 +47,8 @@ struct HuntResult {
 /// Judges the subject on one random case after another, until a property does not hold. Of several,
 /// violations come before waste, and then the order of Property: what is wrong with the tree before
 /// what is wrong with bounds, and that before cuts. The same for any number of processors, but for
-/// `seconds`.
+/// `seconds`, and for cases of many lights that are left out: where a subject that takes N^3 would
+/// need more than 10 s, going by the last ones.
 [[nodiscard]] HuntResult hunt(const Subject& subject, const HuntConfig& config);
 
 /// A counterexample of the same property, as simple as can be found in so many seconds: given time

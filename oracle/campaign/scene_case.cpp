@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <oracle/campaign/beside_light.h>
 #include <oracle/cases/random_pixels.h>
 
 namespace lightcuts::oracle {
@@ -32,10 +33,24 @@ Case case_of_lights(const SceneView& view, const CheckConfig& config, std::uint6
 
 } // namespace
 
-Case case_of(const SceneView& view, const CheckConfig& config, std::uint64_t place) {
+gen::View view_beside_light_at(const SceneView& view, const Topology& topology,
+                               const CheckConfig& config, std::uint64_t place) {
+  const ShadingPoint p = random_point(view, config.seed, place).point;
+  return view_beside_light(view.scene().lights, topology, hashed(config.seed + 4, place),
+                           {p.position(), p.normal(), p.to_viewer(), p.material()});
+}
+
+Case case_of(const Subject& subject, const SceneView& view, const CheckConfig& config,
+             std::uint64_t place) {
   std::vector<std::uint32_t> all(view.scene().lights.size());
   std::iota(all.begin(), all.end(), 0U);
-  return case_of_lights(view, config, place, all);
+  Case c = case_of_lights(view, config, place, all);
+  if (!is_beside_light(place)) return c;
+  const auto tree = subject.build(view.scene().lights, config.tree_seed);
+  const TopologyReading reading = read_topology(tree->claim(), all.size());
+  if (reading.topology)
+    c.views.front() = {view_beside_light_at(view, *reading.topology, config, place), {}};
+  return c;
 }
 
 Case excerpt_of(const SceneView& view, const CheckConfig& config, std::uint64_t place) {
@@ -58,8 +73,8 @@ std::optional<Counterexample> counterexample_of(const Subject& subject, const Sc
   for (const Property property : broken(result.tally)) {
     const std::uint64_t place = result.tally[property].first_place;
     if (place >= result.points) continue;
-    for (const auto make : {case_of, excerpt_of}) {
-      Case on = make(view, config, place);
+    for (const bool all : {true, false}) {
+      Case on = all ? case_of(subject, view, config, place) : excerpt_of(view, config, place);
       if (auto message = failure_of(subject, property, on))
         return Counterexample{property, std::move(on), std::move(*message), place};
     }

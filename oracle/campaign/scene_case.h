@@ -10,9 +10,15 @@
 
 namespace lightcuts::oracle {
 
+/// The view that check() has at a place that is_beside_light() of the subject's tree.
+[[nodiscard]] gen::View view_beside_light_at(const SceneView& view, const Topology& topology,
+                                             const CheckConfig& config, std::uint64_t place);
+
 /// The shading point that check() visits at the place, with all lights of the scene; those that are
-/// not seen from there are hidden.
-[[nodiscard]] Case case_of(const SceneView& view, const CheckConfig& config, std::uint64_t place);
+/// not seen from there are hidden. Beside a light, the subject builds its tree for it, and all are
+/// seen.
+[[nodiscard]] Case case_of(const Subject& subject, const SceneView& view, const CheckConfig& config,
+                           std::uint64_t place);
 
 /// The shading point that check() visits at the place, with twelve lights of the scene at most,
 /// drawn at random: what check() looks at where all lights would take too long.

@@ -115,6 +115,93 @@ Case lottery(Dice& dice) {
   return c;
 }
 
+/// What goes wrong by the number of lights does so at powers of 2 and of 10, and next to them.
+const std::vector<std::uint32_t>& ladder() {
+  static const std::vector<std::uint32_t> list = [] {
+    std::vector<std::uint32_t> sizes{100, 1000, 10'000, 100'000};
+    for (std::uint32_t power = 1U << 7; power <= 1U << 17; power *= 2)
+      sizes.insert(sizes.end(), {power - 1, power, power + 1});
+    std::sort(sizes.begin(), sizes.end());
+    return sizes;
+  }();
+  return list;
+}
+
+/// An extreme light along some axis, the first, the last, or any.
+std::size_t notable_light(Dice& dice, const std::vector<Light>& lights) {
+  switch (dice.below(4)) {
+  case 0:
+    return 0;
+  case 1:
+    return lights.size() - 1;
+  case 2: {
+    const int axis = dice.below(3);
+    const float side = dice.sign();
+    const auto further = [&](const Light& a, const Light& b) {
+      return side * a.position[axis] < side * b.position[axis];
+    };
+    return std::size_t(std::max_element(lights.begin(), lights.end(), further) - lights.begin());
+  }
+  default:
+    return std::size_t(dice.bits() % lights.size());
+  }
+}
+
+/// So near to a light, and facing it, that it outshines all others: what bounds a cluster of it has
+/// to know of it.
+gen::View view_beside(Dice& dice, const std::vector<Light>& lights) {
+  gen::View view = gen::make_view(dice, lights, {.lobe = 0});
+  const Light& light = lights[notable_light(dice, lights)];
+  if (light.kind == LightKind::directional) return view;
+  const glm::vec3 aside = dice.one_in(2) ? dice.axis() : dice.unit_vector();
+  const float own_scale = std::max(
+      {std::abs(light.position.x), std::abs(light.position.y), std::abs(light.position.z)});
+  const float scale = dice.one_in(2) && own_scale > 0 ? own_scale : 1;
+  for (int i = 0; i < 3; ++i)
+    view.position[i] = Dice::finite(double(light.position[i]) +
+                                    std::ldexp(double(scale) * aside[i], -dice.between(1, 20)));
+  view.normal = -aside;
+  return view;
+}
+
+/// Lights of one kind, mostly: of any place, on a lattice with ties, or on a line on which each is
+/// farther out than all before it together, so that trees are deep.
+Case multitude(Dice& dice, std::uint32_t count) {
+  Case c;
+  const int layout = dice.below(3);
+  const LightKind kind = dice.one_in(2) ? LightKind::omni : LightKind(dice.below(light_kind_count));
+  const glm::vec3 direction = dice.one_in(2) ? dice.axis() : dice.unit_vector();
+  const double ratio = std::min(2.0, std::pow(2.0, 200.0 / count));
+  const int side = int(std::cbrt(count)) + 1;
+  c.lights.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Light& light = c.lights[i];
+    light.kind = kind;
+    if (layout == 0)
+      light.position = dice.in_cube();
+    else if (layout == 1)
+      light.position = dice.lattice(side);
+    else
+      light.position = glm::vec3(std::pow(ratio, double(i) - 0.5 * count) * glm::dvec3(direction));
+    light.intensity = dice.one_in(4) ? Dice::not_negative(dice.in_cube()) : glm::vec3(1);
+    gen::finish(dice, light, glm::vec3(0));
+  }
+  c.seed = dice.bits() % 1000;
+  c.cut = random_cut(dice, int(std::min<std::uint32_t>(count, 1000)));
+  for (int i = 0; i < 2; ++i) c.views.push_back({view_beside(dice, c.lights), {}});
+  return c;
+}
+
+/// Questions that were asked before, and builds; a view that shares its position with another one.
+void add_history(Dice& dice, Case& c, std::uint32_t questions) {
+  c.builds = dice.one_in(2) ? std::uint32_t(dice.between(1, 3)) : 0;
+  c.questions = questions;
+  CaseView other{gen::make_view(dice, c.lights), {}};
+  if (dice.one_in(2)) other.view.position = c.views.front().view.position;
+  c.views.push_back(std::move(other));
+  c.cut.unoccluded = false;
+}
+
 /// Indices of lights move up where lights before them are gone.
 std::vector<std::uint32_t> without(const std::vector<std::uint32_t>& indices, std::uint32_t first,
                                    std::uint32_t count) {
@@ -313,6 +400,15 @@ private:
     return simpler_values(element);
   }
 
+  /// Of a count, so that the least that fails is found by halving.
+  bool simpler_field(std::uint32_t Case::*count, const Domain& /*domain*/) const {
+    const std::uint32_t now = of_.*count;
+    std::vector<std::uint32_t> fewer;
+    for (const std::uint32_t less : {now, now / 2, now / 8, now / 64, std::min(now, 1U)})
+      if (less > 0) fewer.push_back(now - less);
+    return each(fewer, [count](Case& c) -> std::uint32_t& { return c.*count; });
+  }
+
   bool simpler_field(CutConfig Case::*cut, const Domain& /*domain*/) const {
     return each(with_usual_fields(of_.*cut, {0.02F, 1000, 0}),
                 [cut](Case& c) -> CutConfig& { return c.*cut; });
@@ -360,7 +456,25 @@ Case random_case(std::uint64_t seed, std::uint64_t index) {
   Dice dice(hashed(seed, index));
   constexpr std::uint64_t every = 500; // a second each
   if (index % every == every - 1 && index / every < most_cases_with_draws) return lottery(dice);
-  return dice.one_in(8) ? picture(dice) : lights_and_views(dice);
+  if (const std::uint32_t count = many_lights_at(index)) return multitude(dice, count);
+  if (dice.one_in(8)) return picture(dice);
+  Dice aside = dice.aside();
+  Case c = lights_and_views(dice);
+  constexpr std::uint64_t epoch = 4000, age = 1U << 16; // a second or so
+  if (index % epoch == 777)
+    add_history(aside, c, age);
+  else if (aside.one_in(12))
+    add_history(aside, c, aside.one_in(4) ? 256 : std::uint32_t(aside.between(0, 40)));
+  return c;
+}
+
+std::uint32_t many_lights_at(std::uint64_t index) {
+  constexpr std::uint64_t every = 100;
+  if (index % every != every / 2) return 0;
+  const std::uint64_t rung = index / every, rungs = ladder().size();
+  // Once up; then one in eight, since they take as long as all the others.
+  if (rung < rungs) return ladder()[rung];
+  return rung % 8 == 0 ? ladder()[rung / 8 % rungs] : 0;
 }
 
 bool visit_simpler(const Case& of, const std::function<bool(Case&)>& visitor) {

@@ -53,6 +53,9 @@ struct Case {
   CutConfig cut;
   std::uint64_t seed = 1; ///< of the tree
   bool draws = false;     ///< whether to judge by many random draws, too
+  /// What a tree has behind it when its answers are compared with a new one's: trees of as many
+  /// other lights that were built before, and questions about other views. Both 0: not compared.
+  std::uint32_t builds = 0, questions = 0;
   std::vector<CaseTriangle> triangles;
   Camera camera;            ///< of the picture
   glm::uvec2 image_size{8}; ///< pixels
@@ -67,6 +70,8 @@ struct Case {
     field("cut", &Case::cut);
     field("seed", &Case::seed);
     field("draws", &Case::draws, domain::optional);
+    field("builds", &Case::builds, Domain{.least = 0, .most = 1 << 20, .optional = true});
+    field("questions", &Case::questions, Domain{.least = 0, .most = 1 << 20, .optional = true});
     field("triangles", &Case::triangles, domain::optional);
     field("camera", &Case::camera, domain::optional);
     field("image_size", &Case::image_size,
@@ -79,13 +84,22 @@ struct Case {
   bool operator==(const Case&) const = default;
 };
 
+/// More lights than that: a case is judged by what costs little for each of them. Every tree and
+/// bound, two cuts, and some draws; not what is built anew or asked of each light of each cluster.
+inline constexpr std::size_t many_lights = 1024;
+
 /// Among how many cases with draws, in one run, the rate of false alarms is shared: no run has
 /// more.
 inline constexpr std::uint64_t most_cases_with_draws = 10'000;
 
 /// The index-th random case of a seed: as gen::make_scene() has it, with one to three views; one in
-/// eight with a few triangles; one in 500 to be judged by many draws. Same arguments, same bits.
+/// eight with a few triangles; one in 500 to be judged by many draws; one in 100 of many lights, in
+/// ascending numbers up to 2^17 + 1; one in twelve with a history, which is very long in one of
+/// 4000. Same arguments, same bits.
 [[nodiscard]] Case random_case(std::uint64_t seed, std::uint64_t index);
+
+/// How many lights random_case() will have there, if these are many; else 0.
+[[nodiscard]] std::uint32_t many_lights_at(std::uint64_t index);
 
 /// Hands cases that are simpler to the visitor, the simplest first, until it returns true; none
 /// for the simplest of all. Each is made when its turn has come. Returns whether the visitor did.

@@ -192,6 +192,20 @@ double of_scale(Dice& dice, int exponent) { return std::ldexp(dice.uniform(1, 2)
 
 glm::dvec2 unit(const glm::dvec2& v) { return v / std::sqrt(v.x * v.x + v.y * v.y); }
 
+/// Of length 1, or nearly as far from it as is allowed.
+glm::vec3 about_unit(Dice& dice, const glm::dvec3& unit) {
+  return glm::vec3(unit * dice.pick({1.0, 1.0, 1 + 9.5e-6, 1 - 9.5e-6}));
+}
+
+/// Where on the line c + t e n.q/|q|^3 is largest, e being an axis and c.e = 0:
+///   2 (n.e) t^2 + 3 (n.c) t - (n.e) |c|^2 = 0 .
+double peak_on_line(const glm::dvec3& n, const glm::dvec3& c, const glm::dvec3& e) {
+  const double a = 2 * glm::dot(n, e), b = 3 * glm::dot(n, c), d = -glm::dot(n, e) * glm::dot(c, c);
+  if (a == 0) return 0;
+  const double root = std::sqrt(b * b - 4 * a * d);
+  return 2 * -d / (b + (b < 0 ? -root : root));
+}
+
 glm::dvec2 random_azimuth(Dice& dice) {
   if (dice.one_in(2)) return {1, 0}; // what is aside of it may then be as small as floats are
   return unit(
@@ -228,8 +242,7 @@ Scene make_grazing_scene(Dice& dice, int count, const Choice& choice) {
     light.position = finite(glm::dvec3(view.position) + distance * l);
     light.intensity =
         at_ends && dice.one_in(2) ? glm::vec3(0x1.fffffep127F) : intensity(dice, brightness);
-    oracle::radiometry::with_kind(light.kind,
-                                  [&](auto truth) { truth.finish(dice, light, view.position); });
+    finish(dice, light, view.position);
     if (oracle::radiometry::is_far(light.kind)) light.position = glm::vec3(l);
     if (dice.one_in(4)) light.position = next_to(dice, light.position);
     scene.lights.push_back(light);
@@ -239,9 +252,60 @@ Scene make_grazing_scene(Dice& dice, int count, const Choice& choice) {
   return scene;
 }
 
+Scene make_peak_scene(Dice& dice, int count, const Choice& choice) {
+  Scene scene;
+  View& view = scene.view;
+  view = random_view(dice, choice);
+  if (dice.one_in(2)) view.position = glm::vec3(0);
+  const glm::dvec3 x(view.position);
+  const auto random_unit = [&] { return glm::normalize(glm::dvec3(dice.unit_vector())); };
+  const glm::dvec3 n = random_unit();
+  glm::dvec3 v = random_unit();
+  if (glm::dot(n, v) < 0) v = -v;
+  view.normal = about_unit(dice, n);
+  view.to_viewer = about_unit(dice, v);
+  const double distance = std::ldexp(dice.uniform(1, 2), dice.between(-10, 10));
+  // Along n, at the mirror direction, back to the viewer, or inside an edge along an axis.
+  const int peak = dice.below(4);
+  const glm::dvec3 e(dice.axis());
+  glm::dvec3 l = peak == 0 ? n : peak == 1 ? 2 * glm::dot(n, v) * n - v : v;
+  if (peak == 3) {
+    const glm::dvec3 across = random_unit();
+    const glm::dvec3 c = across - glm::dot(across, e) * e;
+    const double on_line = peak_on_line(n, c, e);
+    if (std::isfinite(on_line)) l = c + on_line * e;
+  }
+  const glm::vec3 at = finite(x + distance * l);
+  const glm::vec3 towards = about_unit(dice, glm::length(l) > 0 ? -glm::normalize(l) : -n);
+  const LightKind usual = choice.kind ? *choice.kind : LightKind(dice.below(light_kind_count));
+  const double apart = std::pow(10.0, -dice.uniform(3, 7));
+  const bool dark = dice.one_in(2);
+  for (int i = 0; i < count; ++i) {
+    Light light;
+    light.kind = usual;
+    light.position = at;
+    light.intensity = glm::vec3(dark && i > 0 ? 1e-30F : 1.0F);
+    finish(dice, light, view.position);
+    if (light.kind == LightKind::directional) light.position = about_unit(dice, glm::normalize(l));
+    if (light.kind == LightKind::oriented || light.kind == LightKind::spot) {
+      light.axis = towards;
+      if (i > 0)
+        light.axis = glm::vec3(glm::normalize(glm::dvec3(towards) + apart * random_unit()));
+    }
+    // The others: at the same place, or on both sides of it along the axis.
+    if (i > 0 && (peak == 3 || dice.one_in(3)) && light.kind != LightKind::directional)
+      light.position = finite(glm::dvec3(at) + distance * dice.uniform(-2, 2) * e);
+    scene.lights.push_back(light);
+  }
+  if (choice.clamped ? *choice.clamped : dice.one_in(4)) scene.min_distance = random_clamp(dice);
+  return scene;
+}
+
 Scene make_scene(Dice& dice, int count, const Choice& choice) {
   if (!choice.lobe || *choice.lobe != Lobe(NoLobe()).index())
     if (Dice aside = dice.aside(); aside.one_in(8)) return make_grazing_scene(aside, count, choice);
+  if (Dice aside = dice.aside().aside(); aside.one_in(8))
+    return make_peak_scene(aside, count, choice);
   Scene scene;
   scene.view = random_view(dice, choice);
   const auto any_place = [&] { return static_cast<Place>(dice.below(int(Place::count))); };
@@ -257,13 +321,17 @@ Scene make_scene(Dice& dice, int count, const Choice& choice) {
     light.kind = !choice.kind && dice.one_in(8) ? any_kind() : usual_kind;
     light.position = position(dice, place, scene.view, anchor);
     light.intensity = intensity(dice, brightness);
-    oracle::radiometry::with_kind(
-        light.kind, [&](auto truth) { truth.finish(dice, light, scene.view.position); });
+    finish(dice, light, scene.view.position);
     scene.lights.push_back(light);
   }
   if (dice.one_in(4)) scene.view.position = amid_lights(dice, scene.lights);
   if (choice.clamped ? *choice.clamped : dice.one_in(4)) scene.min_distance = random_clamp(dice);
   return scene;
+}
+
+void finish(Dice& dice, Light& light, const glm::vec3& seen_from) {
+  oracle::radiometry::with_kind(light.kind,
+                                [&](auto truth) { truth.finish(dice, light, seen_from); });
 }
 
 View make_view(Dice& dice, const std::vector<Light>& lights, const Choice& choice) {

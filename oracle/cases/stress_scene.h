@@ -54,15 +54,23 @@ struct Choice {
   std::optional<bool> clamped = {};
 };
 
-/// One in eight, where lobes are drawn, is a make_grazing_scene().
+/// One in eight, where lobes are drawn, is a make_grazing_scene(), and one in eight of the others a
+/// make_peak_scene().
 [[nodiscard]] Scene make_scene(Dice& dice, int count, const Choice& choice = {});
 /// A surface seen along itself, under an angle of any scale down to the least that floats have, and
 /// lights where it mirrors the viewer, to the last bit or nearly: l and v cancel but for their
 /// parts along the normal.
 [[nodiscard]] Scene make_grazing_scene(Dice& dice, int count, const Choice& choice = {});
+/// Lights where something is largest: n.l, a lobe, an axis that points to the viewer, n.l/d^2 on a
+/// line. Around them lights that are dark or alike, whose axes differ by 10^-3 to 10^-7; directions
+/// as long or as short as they may be.
+[[nodiscard]] Scene make_peak_scene(Dice& dice, int count, const Choice& choice = {});
 /// Another view of such lights: often at one of them, or on faces of their boxes.
 [[nodiscard]] View make_view(Dice& dice, const std::vector<Light>& lights,
                              const Choice& choice = {});
+
+/// What the light has apart from kind, position and intensity, by its kind.
+void finish(Dice& dice, Light& light, const glm::vec3& seen_from);
 
 std::ostream& operator<<(std::ostream& out, const View& view);
 std::ostream& operator<<(std::ostream& out, const Scene& scene);

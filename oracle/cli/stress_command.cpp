@@ -25,6 +25,7 @@ oracle::HuntResult hunted(const StressOptions& options, const oracle::Subject& s
   config.seed = options.seed;
   config.cases = *options::parse_count(options.cases);
   config.waste = oracle::is_library(subject);
+  config.further = 200;
   ProgressLine line("stress " + options.subject);
   config.progress = line.progress();
   return hunt(subject, config);
@@ -49,9 +50,10 @@ std::string stress_command(const StressOptions& options, std::uint64_t cases) {
 std::string table_of(const StressOptions& options, const oracle::Subject& subject,
                      const oracle::HuntResult& result,
                      const std::optional<CounterexampleFile>& file) {
-  std::string text = fmt::format(
-      "{}: {} random cases of seed {}, {:.1f} s\n\n{}", oracle::full_subject_name(options.subject),
-      result.cases, options.seed, result.seconds, property_table(result.tally, subject));
+  std::string text =
+      fmt::format("{}: {} random cases of seed {}, up to {} lights, {:.1f} s\n\n{}",
+                  oracle::full_subject_name(options.subject), result.cases, options.seed,
+                  result.most_lights, result.seconds, property_table(result.tally, subject));
   if (file)
     text +=
         file->text() + fmt::format("find it again:\n  {}\n", stress_command(options, result.cases));
@@ -65,7 +67,8 @@ std::string json_of(const StressOptions& options, const oracle::Subject& subject
                               {"subject", oracle::full_subject_name(options.subject)},
                               {"not_judged", oracle::names_without(subject.parts())},
                               {"seed", options.seed},
-                              {"cases", result.cases}};
+                              {"cases", result.cases},
+                              {"most_lights", result.most_lights}};
   json["properties"] = properties_json(result.tally);
   json["violations"] = result.tally.violations();
   json["wasteful"] = result.tally.wasteful();

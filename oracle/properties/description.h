@@ -18,6 +18,7 @@ class Draws;
 class Invariance;
 class PictureCase;
 struct RayCase;
+struct HistoryCase;
 
 class Recorder;
 struct BothSides;
@@ -52,6 +53,7 @@ struct PropertyInfo {
   // The checks, each at places of one kind; nothing at those where the property says nothing.
   void (*of_subject)(const Subject&, const Recorder&) = nullptr;
   void (*of_tree)(const TreeCase&, const Recorder&) = nullptr;
+  void (*of_history)(const HistoryCase&, const Recorder&) = nullptr;
   void (*of_clusters)(const PointAnswers&, NodeRange, const Recorder&) = nullptr;
   void (*of_cut)(const CutAnswer&, const Recorder&) = nullptr;
   void (*of_odds)(const ClusterOdds&, const Recorder&) = nullptr;

@@ -2,11 +2,13 @@
 #include <oracle/properties/judge.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
 #include <oracle/properties/cut_answer.h>
 #include <oracle/properties/each_view.h>
+#include <oracle/properties/history_case.h>
 #include <oracle/properties/invariance/invariance.h>
 #include <oracle/properties/shading/picture_case.h>
 #include <oracle/properties/tree_case.h>
@@ -82,6 +84,17 @@ void Judge::odds(const PointAnswers& of) const {
     run<&PropertyInfo::of_odds>(ClusterOdds(of, node));
 }
 
+void Judge::few_odds(const PointAnswers& of) const {
+  if (!has(Part::sampling) || !any<&PropertyInfo::of_odds>()) return;
+  constexpr std::uint32_t nodes = 64, lights = 64;
+  std::uint32_t asked = 0;
+  for (std::uint32_t node = of.topology().size(); node-- > 0 && asked < nodes;) {
+    if (of.topology().light_count(node) > lights) continue;
+    run<&PropertyInfo::of_odds>(ClusterOdds(of, node));
+    ++asked;
+  }
+}
+
 void Judge::draws(const PointAnswers& of, const CutConfig& cut, const DrawConfig& config) const {
   if (!any<&PropertyInfo::of_draws>()) return;
   if (const Draws draws(of, cut, config); draws.count() > 0) run<&PropertyInfo::of_draws>(draws);
@@ -115,6 +128,14 @@ void Judge::invariance(const Subject& subject, const Case& on) const {
   run<&PropertyInfo::of_invariance>(Invariance(subject, on));
 }
 
+void Judge::history(const Subject& subject, const Case& on) const {
+  const bool asked = on.questions > 0 && on.views.size() > 1;
+  if (on.lights.empty() || on.views.empty() || (!asked && on.builds == 0)) return;
+  Case shorter;
+  if (!asked) (shorter = on).questions = 0;
+  run<&PropertyInfo::of_history>(HistoryCase{subject, asked ? on : shorter});
+}
+
 void Judge::views(const Judged& judged, const Topology& topology, const LightSet& lights,
                   const Case& on) const {
   if (!any<&PropertyInfo::of_clusters>() && !any<&PropertyInfo::of_cut>() &&
@@ -124,7 +145,13 @@ void Judge::views(const Judged& judged, const Topology& topology, const LightSet
   for_each_view(on, topology, lights, place_, [&](std::size_t, const PointCase& at) {
     const PointAnswers answers(judged, at);
     clusters(answers);
-    cuts(answers, cuts_of(on.cut, on.lights.size()));
+    const auto configs = cuts_of(on.cut, on.lights.size());
+    if (on.lights.size() > many_lights) {
+      cuts(answers, std::array{configs[0], configs[2]});
+      few_odds(answers);
+      return false;
+    }
+    cuts(answers, configs);
     odds(answers);
     point(answers, on.cut);
     if (on.draws) draws(answers, on.cut, draw_config);
@@ -144,7 +171,9 @@ void check_case(const Subject& subject, const Case& on, std::uint64_t place, Tal
     const std::optional<Topology> topology = judge.tree(tree->claim(), lights);
     if (!topology) return;
     judge.views({*tree, subject.parts()}, *topology, lights, on);
+    if (lights.size() > many_lights) return;
     judge.invariance(subject, on);
+    judge.history(subject, on);
   });
 }
 

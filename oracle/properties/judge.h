@@ -35,6 +35,8 @@ public:
   void point(const PointAnswers& of, const CutConfig& config) const;
   /// All lights of all clusters: without drawing many.
   void odds(const PointAnswers& of) const;
+  /// Lights of the last clusters, which are small.
+  void few_odds(const PointAnswers& of) const;
   void draws(const PointAnswers& of, const CutConfig& cut, const DrawConfig& config) const;
 
   // Shading and visibility.
@@ -47,6 +49,8 @@ public:
 
   /// What changes of the case must not matter.
   void invariance(const Subject& subject, const Case& on) const;
+  /// What was built and asked before, where the case has that.
+  void history(const Subject& subject, const Case& on) const;
   /// The case's shading points.
   void views(const Judged& judged, const Topology& topology, const LightSet& lights,
              const Case& on) const;

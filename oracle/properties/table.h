@@ -13,6 +13,7 @@
   X(bounds_are_ordered)                                                                            \
   X(bound_shrinks_on_refinement)                                                                   \
   X(bound_is_finite)                                                                               \
+  X(estimates_match_clusters)                                                                      \
   X(cut_partitions_lights)                                                                         \
   X(cut_obeys_threshold)                                                                           \
   X(certified_error_holds)                                                                         \
@@ -23,6 +24,7 @@
   X(refinement_order_is_strict)                                                                    \
   X(results_are_finite)                                                                            \
   X(threads_agree)                                                                                 \
+  X(history_is_immaterial)                                                                         \
   X(probabilities_sum_to_one)                                                                      \
   X(contributing_lights_are_drawn)                                                                 \
   X(draws_state_their_probability)                                                                 \

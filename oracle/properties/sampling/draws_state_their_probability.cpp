@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -58,6 +59,35 @@ public:
     for (std::size_t i = 0; i < all.size(); ++i)
       check_drawn(of_, random[i], i < middle.size() ? Place::middle : Place::border, all[i],
                   record_);
+  }
+
+  /// Ever nearer to 0 and 1: what draws nothing there, however often it is asked, does so more
+  /// often than the probabilities leave room for.
+  void near_ends() const {
+    constexpr std::array exponents{10, 16, 22, 28, 34};
+    constexpr std::array shares{0.97, 0.71, 0.43, 0.29};
+    std::vector<double> random;
+    for (const bool at_one : {false, true})
+      for (const int exponent : exponents)
+        for (const double share : shares) {
+          const double off = std::ldexp(share, -exponent);
+          random.push_back(at_one ? 1 - off : off);
+        }
+    const std::vector<DrawnLight> all = drawn(random);
+    const double rounding = 0x1p-48 * double(of_.lights.size());
+    for (std::size_t i = 0; i < all.size(); i += shares.size()) {
+      const auto nothing = std::count_if(
+          all.begin() + std::ptrdiff_t(i), all.begin() + std::ptrdiff_t(i + shares.size()),
+          [](const DrawnLight& one) { return one.probability == 0; });
+      const int exponent = exponents[i / shares.size() % exponents.size()];
+      record_(nothing < std::ptrdiff_t(shares.size()) ||
+                  of_.none() + rounding > std::ldexp(1.0, -exponent - 8),
+              [&] {
+                return fmt::format("{}: all numbers around u = {} draw nothing of node {}, though "
+                                   "its probabilities sum to 1 but for {}",
+                                   of_.point.at.text(), random[i], of_.node, of_.none());
+              });
+    }
   }
 
   /// A border in each interval whose ends draw different lights.
@@ -122,6 +152,7 @@ void check(const ClusterOdds& of, const Recorder& record) {
     random[i] = (double(i) + 0.5) / double(random.size());
   const Drawing drawing(of, record);
   drawing.by(random, std::array{0.0, largest});
+  if (of.node == 0) drawing.near_ends();
   // Each border takes 100 draws or more.
   constexpr std::size_t few = 8;
   if (of.node == 0 && of.lights.size() <= few)

@@ -26,7 +26,7 @@ struct Desk {
 
 TEST(SceneCase, IsThePointWithAllLights) {
   const Desk desk;
-  const Case on = case_of(desk.view, desk.config, 17);
+  const Case on = case_of(*library_subject(), desk.view, desk.config, 17);
   const VisiblePoint p = random_point(desk.view, 5, 17);
   ASSERT_EQ(on.views.size(), 1U);
   EXPECT_EQ(on.views[0].view.position, p.point.position());

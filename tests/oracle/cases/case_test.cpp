@@ -222,6 +222,37 @@ TEST(SimplerCases, LeaveOneOfTwoLightsToChooseFrom) {
   EXPECT_THAT(left, ElementsAre(0, 1));
 }
 
+// Next to powers of 2 and 10, in ascending order.
+TEST(RandomCase, HasManyLightsOfTellingNumbers) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint64_t i = 0; i < 4000; ++i)
+    if (const std::uint32_t many = many_lights_at(i)) numbers.push_back(many);
+  EXPECT_TRUE(std::is_sorted(numbers.begin(), numbers.end()));
+  for (const std::uint32_t number : {100U, 1023U, 1024U, 1025U, 65537U, 100'000U, 131073U})
+    EXPECT_EQ(std::count(numbers.begin(), numbers.end(), number), 1) << number;
+  for (std::uint64_t i = 0; i < 2500; ++i)
+    if (const std::uint32_t many = many_lights_at(i))
+      EXPECT_EQ(random_case(1, i).lights.size(), many);
+}
+
+TEST(RandomCase, HasHistoriesOfAllLengths) {
+  std::map<std::uint32_t, int> questions;
+  int builds = 0, shared_position = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const Case c = random_case(1, i);
+    if (c.questions > 0) {
+      ++questions[c.questions];
+      shared_position += c.views.front().view.position == c.views.back().view.position ? 1 : 0;
+    }
+    builds += c.builds > 0 ? 1 : 0;
+  }
+  EXPECT_GT(questions[256], 5);
+  EXPECT_EQ(questions[1U << 16], 1);
+  EXPECT_GT(questions.size(), 10U);
+  EXPECT_GT(builds, 10);
+  EXPECT_GT(shared_position, 10);
+}
+
 TEST(RandomCase, SaysThatNothingOccludesInSomeThatHideNothing) {
   int unoccluded = 0;
   for (std::uint64_t i = 0; i < 500; ++i) {
