@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <iterator>
 #include <new>
@@ -120,10 +121,11 @@ void PluginOutput::pass_on(std::string_view text) {
   const std::lock_guard lock(mutex_);
   const std::string_view some = text.substr(0, left_);
   left_ -= some.size();
-  fmt::print(stderr, "{}", some);
+  const auto print = [](std::string_view t) { std::fwrite(t.data(), 1, t.size(), stderr); };
+  print(some);
   if (some.size() == text.size() || said_) return;
   said_ = true;
-  fmt::print(stderr, "\n{}: prints more than {}, which is left out\n", name_, memory_text(most));
+  print(fmt::format("\n{}: prints more than {}, which is left out\n", name_, memory_text(most)));
 }
 
 SubjectProcess::SubjectProcess(const std::filesystem::path& plugin, const PluginConfig& config,

@@ -53,7 +53,7 @@ std::string differing_cut(const PointAnswers& of, SubjectTree& other, const CutC
 
 std::string differing_draw(const PointAnswers& of, SubjectTree& other) {
   if (!of.judged.has(Part::sampling)) return {};
-  constexpr std::array u{0.0, 0.3, 0.7, 1 - 0x1p-53};
+  constexpr std::array u{0.0, 0.3, 0.5, 0.7, 1 - 0x1p-53};
   std::array<DrawnLight, u.size()> a, b;
   of.judged.tree.samples(0, of.at.point, u, a);
   other.samples(0, of.at.point, u, b);

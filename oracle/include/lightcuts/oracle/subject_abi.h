@@ -11,7 +11,7 @@
 ///   cc -shared -fPIC -std=c99 -O2 -I oracle/include mytree.c -o libmytree.so -lm
 ///   lightcuts-oracle check desk --subject ./libmytree.so
 ///
-/// oracle/example has some to start from; bounds_only.c is the shortest.
+/// `lightcuts-oracle new-subject mytree` writes one to start from, and oracle/example has more.
 ///
 /// What holds for all functions:
 /// - They run in a process of their own, one at a time. Crashing, exiting, hanging (10 s for each
