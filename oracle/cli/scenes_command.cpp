@@ -12,7 +12,7 @@
 namespace lightcuts::cli {
 namespace {
 
-int run(const CommonOptions& options) {
+int list_scenes(const CommonOptions& options) {
   std::string table;
   nlohmann::ordered_json json{{"schema", "lightcuts-oracle/scenes/1"}};
   auto& list = json["scenes"] = nlohmann::ordered_json::array();
@@ -31,7 +31,7 @@ void add_scenes_command(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes.");
   command->add_option("--json", options->json,
                       "write the list to this file as JSON; '-': to stdout, and no table");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return list_scenes(*options); }; });
 }
 
 } // namespace lightcuts::cli

@@ -76,7 +76,7 @@ std::string as_test(const SavedCounterexample& saved) {
                      "#include <oracle/campaign/hunt.h>\n";
   text += is_mutant ? "#include <oracle/mutants/mutants.h>\n"
                       "#include <oracle/subjects/library_subject.h>\n"
-                    : "#include <oracle/subjects/subjects.h>\n";
+                    : "#include <oracle/counterexamples/named_subjects.h>\n";
   text += fmt::format("\nnamespace lightcuts::oracle {{\nnamespace {{\n\n// {}\nTEST({}, {}) {{\n",
                       info(saved.counterexample.property).statement,
                       is_mutant ? camel_case(name) : "Counterexample", camel_case(property));

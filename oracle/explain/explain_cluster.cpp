@@ -18,13 +18,12 @@ namespace lightcuts::oracle {
 namespace {
 
 // Larger clusters are of counterexamples that could not be shrunk.
-constexpr std::size_t most_lights = 12;
+constexpr std::size_t most_listed_lights = 12;
 
 using ExactVector = radiometry::Vector<Exact>;
 
-std::string text_of(const ExactVector& v) {
-  return fmt::format("({}, {}, {})", oracle::text_of(v[0], 9), oracle::text_of(v[1], 9),
-                     oracle::text_of(v[2], 9));
+std::string vector_text(const ExactVector& v) {
+  return fmt::format("({}, {}, {})", text_of(v[0], 9), text_of(v[1], 9), text_of(v[2], 9));
 }
 
 // ---- the lights
@@ -46,13 +45,13 @@ Exact falloff(const Light& light, const radiometry::Way<Exact>& way, float min_d
 }
 
 std::string exact_line(const std::string& name, const Exact& value, const char* note = "") {
-  return line("  " + name, oracle::text_of(value), note);
+  return line("  " + name, text_of(value), note);
 }
 
 /// Where it shines.
 std::string axis_text(const Light& light) {
   std::string text;
-  if (has_axis(light.kind)) text += line("  axis", oracle::text_of(light.axis));
+  if (has_axis(light.kind)) text += line("  axis", text_of(light.axis));
   if (light.kind == LightKind::spot)
     text += line("  cosines of rims",
                  fmt::format("{:.9g} and {:.9g}", light.cos_inner, light.cos_outer));
@@ -63,12 +62,11 @@ std::string light_text(const PointCase& at, std::uint32_t index) {
   const Light& light = at.lights()[index];
   const float min_distance = at.lights().min_distance();
   const radiometry::Way<Exact> way(at.point, light);
-  std::string text =
-      fmt::format("  light {}{}: {} {} {}\n", index, at.visible[index] == 0 ? " (hidden)" : "",
-                  name_of(light.kind), is_at_infinity(light.kind) ? "towards" : "at",
-                  oracle::text_of(light.position));
-  text += line("  intensity", oracle::text_of(light.intensity)) + axis_text(light);
-  text += line("  q", text_of(way.q));
+  std::string text = fmt::format(
+      "  light {}{}: {} {} {}\n", index, at.visible[index] == 0 ? " (hidden)" : "",
+      name_of(light.kind), is_at_infinity(light.kind) ? "towards" : "at", text_of(light.position));
+  text += line("  intensity", text_of(light.intensity)) + axis_text(light);
+  text += line("  q", vector_text(way.q));
   text += exact_line("|q|^2", way.distance2) + exact_line("|q|", way.distance);
   if (way.n_dot_l <= 0)
     return text + exact_line("n.l", way.n_dot_l, "not above the horizon: contributes 0");
@@ -77,11 +75,11 @@ std::string light_text(const PointCase& at, std::uint32_t index) {
                      is_at_infinity(light.kind) ? "" : "1/max(|q|^2, least distance^2)");
   text += exact_line("emission", radiometry::emission<Exact>(light, at.point, way.distance));
   const ExactVector f = brdf(at.point, way);
-  text += row_of("  BRDF", [&](int c) { return oracle::text_of(f[std::size_t(c)]); });
+  text += row_of("  BRDF", [&](int c) { return text_of(f[std::size_t(c)]); });
   std::array<Exact, 3> sent;
   for (int c = 0; c < 3; ++c)
     sent[std::size_t(c)] = exact_contribution(light, at.point, min_distance, c);
-  text += row_of("  contribution", [&](int c) { return oracle::text_of(sent[std::size_t(c)]); });
+  text += row_of("  contribution", [&](int c) { return text_of(sent[std::size_t(c)]); });
   return text + row_of("", [&](int c) {
            return fmt::format("{:a}", static_cast<double>(sent[std::size_t(c)]));
          });
@@ -91,10 +89,10 @@ std::string lights_text(const PointCase& at, std::uint32_t node) {
   std::vector<std::uint32_t> lights = at.topology().all_lights(node);
   std::sort(lights.begin(), lights.end());
   std::string text = "contribution = BRDF n.l falloff emission intensity\n";
-  for (std::size_t i = 0; i < lights.size() && i < most_lights; ++i)
+  for (std::size_t i = 0; i < lights.size() && i < most_listed_lights; ++i)
     text += light_text(at, lights[i]);
-  if (lights.size() > most_lights)
-    text += fmt::format("  ... and {} more lights\n", lights.size() - most_lights);
+  if (lights.size() > most_listed_lights)
+    text += fmt::format("  ... and {} more lights\n", lights.size() - most_listed_lights);
   return text;
 }
 
@@ -162,7 +160,7 @@ std::string box_and_suprema(const LightTree& tree, std::uint32_t node, const Sha
   const glm::vec3 from = viewed_from(n.kind(), point.position());
   std::string text = fmt::format("the box of {} {} light{}, and suprema over it\n", n.light_count,
                                  name_of(n.kind()), n.light_count == 1 ? "" : "s");
-  text += line("box from", oracle::text_of(n.box.lo)) + line("to", oracle::text_of(n.box.hi));
+  text += line("box from", text_of(n.box.lo)) + line("to", text_of(n.box.hi));
   if (!is_at_infinity(n.kind()))
     text += number_line("min |q|", std::sqrt(min_distance2(from, n.box)),
                         min_distance2(from, n.box) == 0 ? "the point is in the box" : "");
@@ -196,14 +194,14 @@ std::string left_for_light(const LibraryCluster& cluster, const PointCase& at, s
   return wrapped(fmt::format("  bound / (intensity diffuse/pi) leaves {:.9g} for n.l falloff{}; "
                              "light {} has {}",
                              bound / others, has_axis(n.kind()) ? " emission" : "", brightest,
-                             oracle::text_of(most, 9)));
+                             text_of(most, 9)));
 }
 
 /// Nine digits, or what it is more or less than 1 where those do not show it.
 std::string ratio_text(const Exact& ratio) {
   const Exact off = abs(Exact(ratio - 1));
-  if (off == 0 || off > Exact(1e-8)) return oracle::text_of(ratio, 9);
-  return fmt::format("1 {} {}", ratio > 1 ? '+' : '-', oracle::text_of(off, 3));
+  if (off == 0 || off > Exact(1e-8)) return text_of(ratio, 9);
+  return fmt::format("1 {} {}", ratio > 1 ? '+' : '-', text_of(off, 3));
 }
 
 std::string parting(const LibraryCluster& cluster, const BothSides& sides, bool of_bound,
@@ -215,12 +213,11 @@ std::string parting(const LibraryCluster& cluster, const BothSides& sides, bool 
     if (sides.must_be_finite) {
       if (bound >= 0 && std::isfinite(bound)) continue;
       return wrapped(where + fmt::format("{} is {}, the truth {}", sides.right_name, bound,
-                                         oracle::text_of(sides.left[k], 9)));
+                                         text_of(sides.left[k], 9)));
     }
     if (bound >= 0 && (!std::isfinite(bound) || Exact(bound) >= sides.left[k])) continue;
-    std::string text =
-        where + fmt::format("{} {} > {} {:.9g}", sides.left_name, oracle::text_of(sides.left[k], 9),
-                            sides.right_name, bound);
+    std::string text = where + fmt::format("{} {} > {} {:.9g}", sides.left_name,
+                                           text_of(sides.left[k], 9), sides.right_name, bound);
     if (bound > 0)
       text += fmt::format(", {} times", ratio_text(Exact(sides.left[k] / Exact(bound))));
     text = wrapped(text);
@@ -246,9 +243,8 @@ std::string cluster_text(const PointAnswers& of, Property property, std::uint32_
       "bound = intensity max emission (diffuse/pi max(n.l falloff) + max(lobe n.l falloff))\n\n";
   const auto others = info(property).sides;
   const BothSides sides = others != nullptr ? others(of, node) : bound_sides(of, node);
-  text += channel_head() + row_of("truth, 700 bits", [&](int c) {
-            return oracle::text_of(at.truth.exact_open(node, c), 20);
-          });
+  text += channel_head() + row_of("truth, 700 bits",
+                                  [&](int c) { return text_of(at.truth.exact_open(node, c), 20); });
   text += sides.rows + number_row("the library's bound", cluster.bound(at.point));
   text += number_row("the subject's bound", bound);
   text += row_of("truth / its bound", [&](int c) -> std::string {

@@ -118,7 +118,7 @@ private:
   std::string text_;
 };
 
-const char* text_of(CutEnd end) {
+const char* end_text(CutEnd end) {
   switch (end) {
   case CutEnd::converged:
     return "every bound obeys the threshold";
@@ -140,10 +140,8 @@ std::string totals_text(const KeptCut& cut, const PointCase& at) {
   }
   return channel_head() + number_row("sum of estimates", cut.total()) +
          number_row("radiance", cut.cut.radiance) +
-         row_of("truth, 700 bits",
-                [&](int c) { return oracle::text_of(truth[std::size_t(c)], 20); }) +
-         row_of("|radiance - truth|",
-                [&](int c) { return oracle::text_of(error[std::size_t(c)], 9); }) +
+         row_of("truth, 700 bits", [&](int c) { return text_of(truth[std::size_t(c)], 20); }) +
+         row_of("|radiance - truth|", [&](int c) { return text_of(error[std::size_t(c)], 9); }) +
          number_row("certified error", cut.cut.certified_error);
 }
 
@@ -151,10 +149,10 @@ std::string cut_text(const PointAnswers& of, const KeptCut& cut) {
   return fmt::format("cut: {}\nrefinement, children below their parents; of bounds and estimates "
                      "the largest channel;\n\"of allowed\" = bound / max(threshold * total, black "
                      "level), in the worst channel\n",
-                     oracle::text_of(cut.config)) +
+                     text_of(cut.config)) +
          Refinement(of, cut).text() +
          fmt::format("it ended with {} cluster{}, as it says: {}\n\n", cut.clusters.size(),
-                     cut.clusters.size() == 1 ? "" : "s", text_of(cut.cut.end)) +
+                     cut.clusters.size() == 1 ? "" : "s", end_text(cut.cut.end)) +
          totals_text(cut, of.at);
 }
 

@@ -85,7 +85,7 @@ std::unique_ptr<Subject> keeps_the_tree(const char* name) {
   return std::make_unique<KeepsTheTree>(name);
 }
 
-constexpr Mutant catalogue[] = {
+constexpr Mutant age_catalogue[] = {
     {"stamp-of-8-bits", "takes bounds of the 256th point before for those of the point",
      with_tree<KeepingTree<StampedBounds<std::uint8_t>>>},
     {"stamp-of-16-bits", "takes bounds of the 65536th point before for those of the point",
@@ -97,6 +97,6 @@ constexpr Mutant catalogue[] = {
 
 } // namespace
 
-std::span<const Mutant> age_mutants() { return catalogue; }
+std::span<const Mutant> age_mutants() { return age_catalogue; }
 
 } // namespace lightcuts::oracle

@@ -327,7 +327,7 @@ glm::dvec3 luminance(const LightTree& /*tree*/, const TreeNode& cluster) {
   return glm::dvec3(glm::dot(cluster.intensity, glm::dvec3(0.2126, 0.7152, 0.0722)));
 }
 
-constexpr Mutant catalogue[] = {
+constexpr Mutant bound_catalogue[] = {
     {"cosine-of-two-corners", "bounds n.l by two of the box's eight corners",
      with_suprema<CosineOfTwoCorners>},
     {"cosine-of-corners-only", "bounds n.l by the eight corners, without edges and faces",
@@ -377,6 +377,6 @@ constexpr Mutant catalogue[] = {
 
 } // namespace
 
-std::span<const Mutant> bound_mutants() { return catalogue; }
+std::span<const Mutant> bound_mutants() { return bound_catalogue; }
 
 } // namespace lightcuts::oracle

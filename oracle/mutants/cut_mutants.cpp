@@ -242,7 +242,7 @@ CutConfig by_first_guess(const CutConfig& config, LibraryTree& tree, const Shadi
 
 // ---- the catalogue
 
-constexpr Mutant catalogue[] = {
+constexpr Mutant cut_catalogue[] = {
     {"heap-inverted", "refines the smallest bound first, and stops on it", with_rule<HeapInverted>},
     {"popped-is-lost", "does not put back the cluster that was found good enough",
      with_tree<SpoiltTree<lose_popped>>},
@@ -277,6 +277,6 @@ constexpr Mutant catalogue[] = {
 
 } // namespace
 
-std::span<const Mutant> cut_mutants() { return catalogue; }
+std::span<const Mutant> cut_mutants() { return cut_catalogue; }
 
 } // namespace lightcuts::oracle

@@ -200,7 +200,7 @@ public:
   }
 };
 
-constexpr Mutant catalogue[] = {
+constexpr Mutant sampling_catalogue[] = {
     {"random-number-lost", "draws by other numbers than the one it is given",
      with_tree<RandomNumberLost>},
     {"one-number-for-all", "draws from all clusters of a cut by one random number",
@@ -221,6 +221,6 @@ constexpr Mutant catalogue[] = {
 
 } // namespace
 
-std::span<const Mutant> sampling_mutants() { return catalogue; }
+std::span<const Mutant> sampling_mutants() { return sampling_catalogue; }
 
 } // namespace lightcuts::oracle

@@ -109,7 +109,7 @@ void normalise_in_floats(Rendering& picture, const SceneView& view) {
     }
 }
 
-constexpr Mutant catalogue[] = {
+constexpr Mutant shading_catalogue[] = {
     {"back-lit", "lights surfaces from behind", with_kernel<BackLit>},
     {"exponent-ignored", "does not raise Phong's cosine to its power",
      with_kernel<ExponentIgnored>},
@@ -124,6 +124,6 @@ constexpr Mutant catalogue[] = {
 
 } // namespace
 
-std::span<const Mutant> shading_mutants() { return catalogue; }
+std::span<const Mutant> shading_mutants() { return shading_catalogue; }
 
 } // namespace lightcuts::oracle

@@ -67,7 +67,7 @@ private:
   std::vector<std::uint32_t> heights_;
 };
 
-constexpr Mutant catalogue[] = {
+constexpr Mutant size_catalogue[] = {
     {"last-of-1025-lights",
      "leaves the light that follows the last whole block of 1024 out of the boxes",
      with_altered<without_last_of_block>},
@@ -79,6 +79,6 @@ constexpr Mutant catalogue[] = {
 
 } // namespace
 
-std::span<const Mutant> size_mutants() { return catalogue; }
+std::span<const Mutant> size_mutants() { return size_catalogue; }
 
 } // namespace lightcuts::oracle

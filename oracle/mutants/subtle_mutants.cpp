@@ -186,7 +186,7 @@ std::unique_ptr<Subject> intensity_in_floats(const char* name) {
   return std::make_unique<IntensityInFloats>(name);
 }
 
-constexpr Mutant catalogue[] = {
+constexpr Mutant subtle_catalogue[] = {
     {"bound-one-ulp-down", "the bound is the float below the right one",
      with_kernel<Altered<one_ulp_down>>},
     {"bound-halved-on-faces", "the bound is right but where the point lies in the plane of a face",
@@ -221,6 +221,6 @@ constexpr Mutant catalogue[] = {
 
 } // namespace
 
-std::span<const Mutant> subtle_mutants() { return catalogue; }
+std::span<const Mutant> subtle_mutants() { return subtle_catalogue; }
 
 } // namespace lightcuts::oracle

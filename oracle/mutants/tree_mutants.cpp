@@ -148,7 +148,7 @@ std::vector<std::uint32_t> one_per_place(const LightSet& lights) {
   return list;
 }
 
-constexpr Mutant catalogue[] = {
+constexpr Mutant tree_catalogue[] = {
     {"box-misses-child", "leaves the second child's y out of the parent's box",
      with_altered<changed<miss_second_child>>},
     {"metric-ignores-intensity", "clusters by size and the intensity of one representative",
@@ -168,6 +168,6 @@ constexpr Mutant catalogue[] = {
 
 } // namespace
 
-std::span<const Mutant> tree_mutants() { return catalogue; }
+std::span<const Mutant> tree_mutants() { return tree_catalogue; }
 
 } // namespace lightcuts::oracle

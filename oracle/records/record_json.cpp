@@ -13,7 +13,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-constexpr double largest = std::numeric_limits<float>::max();
+constexpr double largest_float = std::numeric_limits<float>::max();
 
 template <class Integer>
 Integer whole_number(const JsonElement& element, const Domain& domain) {
@@ -57,7 +57,7 @@ template <class Number>
 void require_within(const JsonElement& element, Number value, const Domain& domain) {
   if (double(value) >= domain.least && double(value) <= domain.most) return;
   element.refuse(domain.least == 0 ? fault_of(value) : InputFault::out_of_domain,
-                 domain.least == 0 && domain.most > largest
+                 domain.least == 0 && domain.most > largest_float
                      ? "is negative"
                      : fmt::format("is {}, expected {} to {}", value, domain.least, domain.most));
 }

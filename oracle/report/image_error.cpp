@@ -8,8 +8,6 @@
 namespace lightcuts::oracle {
 namespace {
 
-double channel_sum(const glm::vec3& v) { return double(v.x) + v.y + v.z; }
-
 /// value / what errors of pixel i are relative to. What is only the rounding of 0 counts as 0; NaN
 /// (of infinities) as infinite.
 double relative(double value, const glm::vec3& reference, double black_level) {

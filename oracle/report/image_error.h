@@ -22,6 +22,8 @@ struct ImageError {
   std::uint64_t pixels_over_threshold = 0;
 };
 
+[[nodiscard]] inline double channel_sum(const glm::vec3& v) { return double(v.x) + v.y + v.z; }
+
 /// Pictures of the same scene and size.
 [[nodiscard]] ImageError compare(const Rendering& picture, const Rendering& reference,
                                  double threshold, double black_level);

@@ -26,12 +26,6 @@ std::vector<std::string> keys(const json& object) {
 const std::vector<std::string> small_check{"check", "cloud?lights=20", "--size",
                                            "16x12", "--cases",         "2000"};
 
-std::vector<std::string> with(std::vector<std::string> arguments,
-                              const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
 TEST(CheckCommand, PrintsATableOfAllProperties) {
   const Outcome outcome = OracleProcess().run(small_check);
   EXPECT_EQ(outcome.exit_code, 0);

@@ -14,6 +14,12 @@ extern char** environ;
 
 namespace lightcuts {
 
+inline std::vector<std::string> with(std::vector<std::string> arguments,
+                                     const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
 /// What a run of lightcuts-oracle left.
 struct Outcome {
   int exit_code = -1; ///< -1: ended by a signal

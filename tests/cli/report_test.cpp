@@ -14,12 +14,6 @@ using testing::HasSubstr;
 const std::vector<std::string> small_report{
     "report", "cloud?lights=20", "--size", "16x12", "--repeats", "1", "--thresholds", "2%,8%"};
 
-std::vector<std::string> with(std::vector<std::string> arguments,
-                              const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
 TEST(ReportCommand, WritesEverythingToTheFolder) {
   const OracleProcess oracle;
   const Outcome outcome = oracle.run(with(small_report, {"--out", "results"}));

@@ -20,9 +20,9 @@ TEST(ScenesCommand, ListsTheBuiltinScenes) {
 
 TEST(ScenesCommand, ListsThemAsJson) {
   const Outcome outcome = OracleProcess().run({"scenes", "--json", "-"});
-  const auto json = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(json["schema"], "lightcuts-oracle/scenes/1");
-  EXPECT_EQ(json["scenes"][0]["name"], "desk");
+  const auto result = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(result["schema"], "lightcuts-oracle/scenes/1");
+  EXPECT_EQ(result["scenes"][0]["name"], "desk");
 }
 
 TEST(InfoCommand, SaysWhatIsNeededAndLeftOut) {
@@ -37,13 +37,13 @@ TEST(InfoCommand, SaysWhatIsNeededAndLeftOut) {
 TEST(InfoCommand, SaysItAsJson) {
   const Outcome outcome =
       OracleProcess().run({"info", "cloud?lights=20", "--size", "31x17", "--json", "-"});
-  const auto json = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(json["schema"], "lightcuts-oracle/info/1");
-  EXPECT_EQ(json["lights"], 20);
-  EXPECT_EQ(json["width"], 31);
-  EXPECT_EQ(json["height"], 17);
-  EXPECT_EQ(json["needed"][0], "omni lights");
-  EXPECT_EQ(json["needed"].size() + json["left_out"].size(), 6U);
+  const auto result = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(result["schema"], "lightcuts-oracle/info/1");
+  EXPECT_EQ(result["lights"], 20);
+  EXPECT_EQ(result["width"], 31);
+  EXPECT_EQ(result["height"], 17);
+  EXPECT_EQ(result["needed"][0], "omni lights");
+  EXPECT_EQ(result["needed"].size() + result["left_out"].size(), 6U);
 }
 
 TEST(RenderCommand, WritesPicturesToTheFolder) {
@@ -75,11 +75,11 @@ TEST(RenderCommand, NamesTheFolderAfterTheScene) {
   const Outcome outcome = oracle.run({"render", "cloud?lights=5", "--size", "4x3", "--threshold",
                                       "0.5", "--method", "reference", "--json", "-"});
   EXPECT_TRUE(exists(oracle.folder() / "out" / "cloud-lights-5" / "image.exr"));
-  const auto json = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(json["schema"], "lightcuts-oracle/render/1");
-  EXPECT_EQ(json["method"], "reference");
-  EXPECT_EQ(json["threshold"], 0.5);
-  EXPECT_EQ(json["mean_cut_size"], 5);
+  const auto result = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(result["schema"], "lightcuts-oracle/render/1");
+  EXPECT_EQ(result["method"], "reference");
+  EXPECT_EQ(result["threshold"], 0.5);
+  EXPECT_EQ(result["mean_cut_size"], 5);
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/core/input_error.h>
 
-#include <limits>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -11,11 +10,10 @@
 #include <lightcuts/core/lobes/material.h>
 #include <lightcuts/core/records/fields.h>
 #include <lightcuts/core/shading/shading_frame.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts {
 namespace {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 template <class Action>
 std::optional<InputFault> fault_in(const Action& action) {

@@ -70,7 +70,7 @@ TEST_P(Examples, AreRightInRandomCases) {
   EXPECT_EQ(result.cases, 300U);
 }
 
-constexpr auto bounds = Property::bound_dominates_contribution;
+constexpr auto upper_bounds = Property::bound_dominates_contribution;
 constexpr auto errors = Property::bound_dominates_error;
 constexpr auto exact = Property::zero_threshold_is_exact;
 constexpr auto sums = Property::probabilities_sum_to_one;
@@ -79,21 +79,21 @@ constexpr auto order = Property::refinement_order_is_strict;
 INSTANTIATE_TEST_SUITE_P(
     All, Examples,
     testing::Values(Example{"brute_tree",
-                            {bounds, errors, exact, sums, order},
+                            {upper_bounds, errors, exact, sums, order},
                             {"occlusion", "pictures", "random cuts"}},
                     Example{"top_down_tree",
-                            {bounds, errors, exact, sums},
+                            {upper_bounds, errors, exact, sums},
                             {"lower bounds", "refinement order", "occlusion", "pictures"}},
                     Example{"bounds_only",
-                            {bounds},
+                            {upper_bounds},
                             {"lower bounds", "estimates", "cuts", "sampling", "refinement order",
                              "occlusion", "pictures", "random cuts"}},
                     Example{"new_subject",
-                            {bounds, sums},
+                            {upper_bounds, sums},
                             {"lower bounds", "estimates", "cuts", "refinement order", "occlusion",
                              "pictures", "random cuts"}},
                     Example{"python_tree",
-                            {bounds},
+                            {upper_bounds},
                             {"lower bounds", "estimates", "cuts", "sampling", "refinement order",
                              "occlusion", "pictures", "random cuts"}}),
     [](const auto& of) { return std::string(of.param.name); });

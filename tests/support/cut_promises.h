@@ -12,6 +12,9 @@
 
 namespace lightcuts {
 
+/// Nothing occludes.
+inline constexpr auto everything = [](std::uint32_t) { return true; };
+
 struct CutCase {
   gen::Scene scene;
   CutConfig config;

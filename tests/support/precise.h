@@ -26,6 +26,10 @@ using Colour = std::array<Quad, 3>;
 
 inline Exact square(const Exact& v) { return v * v; }
 
+inline bool same_sign(double value, const Exact& exact) {
+  return (value > 0) == (exact > 0) && (value < 0) == (exact < 0);
+}
+
 /// n.(y - x), exactly.
 [[nodiscard]] Exact dot(const glm::vec3& n, const glm::vec3& x, const glm::vec3& y);
 /// |y - x|^2, exactly.

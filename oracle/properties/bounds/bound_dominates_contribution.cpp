@@ -19,7 +19,7 @@ WorstChannel compared(const Wide& truth, const glm::vec3& bound, const MakeExact
   return worst;
 }
 
-void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
+void check_contribution(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   const glm::vec3& bound = of.bounds()[node];
   const WorstChannel worst = compared(of.at.truth.open(node), bound,
                                       [&](int c) { return of.at.truth.exact_open(node, c); });
@@ -55,7 +55,7 @@ const PropertyInfo property::bound_dominates_contribution{
     .statement = "A cluster's bound is at least what its lights would contribute if all were seen.",
     .formula = "sum of contributions <= bound, per channel",
     .needs = only(Part::bounds),
-    .of_clusters = each_cluster<check>,
+    .of_clusters = each_cluster<check_contribution>,
 };
 
 } // namespace lightcuts::oracle

@@ -8,7 +8,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
+void check_error(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   const glm::vec3& bound = of.bounds()[node];
   const glm::dvec3& estimate = of.estimates()[node];
   WorstChannel worst;
@@ -26,7 +26,7 @@ void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
          [&] { return sides_text(of, node, worst, "true error", "bound", bound[worst.channel]); });
 }
 
-BothSides sides(const PointAnswers& of, std::uint32_t node) {
+BothSides error_sides(const PointAnswers& of, std::uint32_t node) {
   BothSides sides = bound_sides(of, node);
   sides.left_name = "error of the estimate";
   const glm::dvec3& estimate = of.estimates()[node];
@@ -46,8 +46,8 @@ const PropertyInfo property::bound_dominates_error{
     .statement = "A cluster's bound is at least the error of its estimate, whatever is occluded.",
     .formula = "|estimate - sum of seen contributions| <= bound, per channel",
     .needs = only(Part::bounds) | only(Part::estimates),
-    .of_clusters = each_cluster<check>,
-    .sides = sides,
+    .of_clusters = each_cluster<check_error>,
+    .sides = error_sides,
 };
 
 } // namespace lightcuts::oracle

@@ -50,7 +50,7 @@ bool may_be_infinite(const PointCase& at, std::uint32_t node, int channel) {
   return most >= 0.5 * std::numeric_limits<float>::max();
 }
 
-void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
+void check_finite(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   const glm::vec3& bound = of.bounds()[node];
   int bad = -1;
   for (int c = 2; c >= 0; --c)
@@ -62,7 +62,7 @@ void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   });
 }
 
-BothSides sides(const PointAnswers& of, std::uint32_t node) {
+BothSides finite_sides(const PointAnswers& of, std::uint32_t node) {
   BothSides sides = bound_sides(of, node);
   sides.must_be_finite = true;
   return sides;
@@ -79,8 +79,8 @@ const PropertyInfo property::bound_is_finite{
                "mirrored straight to the viewer, reach half the largest float",
     .severity = Severity::waste,
     .needs = only(Part::bounds),
-    .of_clusters = each_cluster<check>,
-    .sides = sides,
+    .of_clusters = each_cluster<check_finite>,
+    .sides = finite_sides,
 };
 
 } // namespace lightcuts::oracle

@@ -7,7 +7,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
+void check_refinement(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   if (of.topology().is_leaf(node)) return;
   const std::span<const glm::vec3> bounds = of.bounds();
   WorstChannel worst;
@@ -25,7 +25,7 @@ void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   });
 }
 
-BothSides sides(const PointAnswers& of, std::uint32_t node) {
+BothSides refinement_sides(const PointAnswers& of, std::uint32_t node) {
   BothSides sides = bound_sides(of, node);
   sides.left_name = "the children's bounds";
   sides.left = {0, 0, 0};
@@ -45,8 +45,8 @@ const PropertyInfo property::bound_shrinks_on_refinement{
     .formula = "sum of the children's bounds <= bound (1 + 2^-22), the rounding of bounds",
     .promise = Promise::library,
     .needs = only(Part::bounds),
-    .of_clusters = each_cluster<check>,
-    .sides = sides,
+    .of_clusters = each_cluster<check_refinement>,
+    .sides = refinement_sides,
 };
 
 } // namespace lightcuts::oracle

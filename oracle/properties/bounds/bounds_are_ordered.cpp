@@ -6,7 +6,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
+void check_order(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   const glm::vec3 low = of.judged.tree.lower_bound(node, of.at.point);
   const glm::vec3& bound = of.bounds()[node];
   WorstChannel worst;
@@ -23,7 +23,7 @@ void check(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
   });
 }
 
-BothSides sides(const PointAnswers& of, std::uint32_t node) {
+BothSides order_sides(const PointAnswers& of, std::uint32_t node) {
   const glm::vec3 low = of.judged.tree.lower_bound(node, of.at.point);
   BothSides sides{"the lower bound", "truth", {}, {}, number_row("lower bound", low)};
   for (int c = 0; c < 3; ++c) {
@@ -41,8 +41,8 @@ const PropertyInfo property::bounds_are_ordered{
                  "occluded.",
     .formula = "lower bound <= sum of contributions, per channel; lower bound <= bound",
     .needs = only(Part::bounds) | only(Part::lower_bounds),
-    .of_clusters = each_cluster<check>,
-    .sides = sides,
+    .of_clusters = each_cluster<check_order>,
+    .sides = order_sides,
 };
 
 } // namespace lightcuts::oracle

@@ -85,7 +85,7 @@ std::string wrong_end(const CutAnswer& of, const WorstCluster& worst) {
   return {};
 }
 
-void check(const CutAnswer& of, const Recorder& record) {
+void check_threshold(const CutAnswer& of, const Recorder& record) {
   const std::size_t size = of.cut.clusters.size();
   const WorstCluster worst(of);
   const std::string end = wrong_end(of, worst);
@@ -120,7 +120,7 @@ const PropertyInfo property::cut_obeys_threshold{
     .formula = "bound (of a leaf: error) <= max(threshold * total, black level), per channel; cut "
                "size <= largest size",
     .needs = only(Part::cuts) | only(Part::bounds),
-    .of_cut = check,
+    .of_cut = check_threshold,
     .parting = parting,
 };
 

@@ -9,7 +9,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const CutAnswer& of, const Recorder& record) {
+void check_partition(const CutAnswer& of, const Recorder& record) {
   const Topology& tree = of.point.topology();
   std::vector<std::uint32_t> in_cut;
   for (const CutCluster& c : of.cut.clusters) in_cut.push_back(c.node);
@@ -47,7 +47,7 @@ const PropertyInfo property::cut_partitions_lights{
     .statement = "Every light is in exactly one cluster of the cut.",
     .formula = "each path from the root to a leaf meets the cut once",
     .needs = only(Part::cuts),
-    .of_cut = check,
+    .of_cut = check_partition,
 };
 
 } // namespace lightcuts::oracle

@@ -11,19 +11,19 @@ namespace lightcuts::oracle {
 namespace {
 
 /// Bounds to order: ties with infinity among them.
-constexpr std::array<double, 6> bounds{
+constexpr std::array<double, 6> keys{
     0, 0x1p-149, 1, 1 + 0x1p-23, 0x1.fffffep127, std::numeric_limits<double>::infinity()};
 
 /// What is wrong with the order, or nothing.
-std::string fault_of(const Subject& subject) {
+std::string fault_in_order(const Subject& subject) {
   const auto before = [&](double a, double b) { return subject.refined_before(a, b); };
   const auto fault = [](double a, double b, const char* what) {
     return fmt::format("bounds {} and {}: {}", a, b, what);
   };
-  for (const double a : bounds)
-    for (const double b : bounds) {
+  for (const double a : keys)
+    for (const double b : keys) {
       if (before(a, b) && before(b, a)) return fault(a, b, "each is refined before the other");
-      for (const double c : bounds) {
+      for (const double c : keys) {
         if (before(a, b) && before(b, c) && !before(a, c))
           return fault(a, c, "not before, but something lies between");
         const bool ab = before(a, b) || before(b, a), bc = before(b, c) || before(c, b);
@@ -35,7 +35,7 @@ std::string fault_of(const Subject& subject) {
 }
 
 void check(const Subject& subject, const Recorder& record) {
-  const std::string fault = fault_of(subject);
+  const std::string fault = fault_in_order(subject);
   record(fault.empty(), [&] { return fault; });
 }
 

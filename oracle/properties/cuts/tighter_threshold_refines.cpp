@@ -22,15 +22,15 @@ bool refines(const Topology& tree, const std::vector<std::uint32_t>& fine,
                      [&](std::uint32_t node) { return node < tree.size() && allowed[node]; });
 }
 
-TwoCuts two_cuts(const PointAnswers&, const CutConfig& config) {
+TwoCuts two_thresholds(const PointAnswers&, const CutConfig& config) {
   TwoCuts cuts{{config}, {config}};
   cuts.one.config.black_level = cuts.other.config.black_level = 0;
   cuts.other.config.threshold /= 4;
   return cuts;
 }
 
-void check(const PointAnswers& of, const CutConfig& config, const Recorder& record) {
-  const auto [coarse, fine] = two_cuts(of, config);
+void check_refinement(const PointAnswers& of, const CutConfig& config, const Recorder& record) {
+  const auto [coarse, fine] = two_thresholds(of, config);
   if (fine.config.threshold == 0) return;
   const auto nodes_of = [&](const ChosenCut& chosen) {
     std::vector<std::uint32_t> nodes;
@@ -53,8 +53,8 @@ const PropertyInfo property::tighter_threshold_refines{
     .statement = "The cut of a smaller threshold refines that of a larger one.",
     .formula = "each cluster of the one lies in a cluster of the other",
     .needs = only(Part::cuts),
-    .of_point = check,
-    .two_cuts = two_cuts,
+    .of_point = check_refinement,
+    .two_cuts = two_thresholds,
 };
 
 } // namespace lightcuts::oracle

@@ -10,7 +10,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const CutAnswer& of, const Recorder& record) {
+void check_drift(const CutAnswer& of, const Recorder& record) {
   const Wide& total = of.total;
   const glm::vec3& radiance = of.cut.radiance;
   bool holds = true;
@@ -38,7 +38,7 @@ const PropertyInfo property::total_does_not_drift{
     .statement = "The radiance is the sum of the estimates over the cut.",
     .formula = "|radiance - sum of estimates| <= rounding of that sum, per channel",
     .needs = only(Part::cuts),
-    .of_cut = check,
+    .of_cut = check_drift,
 };
 
 } // namespace lightcuts::oracle

@@ -10,12 +10,12 @@
 namespace lightcuts::oracle {
 namespace {
 
-TwoCuts two_cuts(const PointAnswers& of, const CutConfig&) {
+TwoCuts seen_and_open(const PointAnswers& of, const CutConfig&) {
   const CutConfig exact = exact_cut(of.at.lights().size());
   return {{exact, true}, {exact, false}};
 }
 
-void check(const PointAnswers& of, const CutConfig&, const Recorder& record) {
+void check_darkening(const PointAnswers& of, const CutConfig&, const Recorder& record) {
   const CutConfig exact = exact_cut(of.at.lights().size());
   const glm::vec3 all = of.select(exact, true).radiance;
   const glm::vec3 seen = of.select(exact).radiance;
@@ -42,8 +42,8 @@ const PropertyInfo property::visibility_only_darkens{
     .formula = "radiance at threshold 0 <= the same with all lights seen, but for rounding, per "
                "channel",
     .needs = only(Part::cuts),
-    .of_point = check,
-    .two_cuts = two_cuts,
+    .of_point = check_darkening,
+    .two_cuts = seen_and_open,
 };
 
 } // namespace lightcuts::oracle

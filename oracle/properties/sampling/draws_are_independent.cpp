@@ -8,7 +8,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const Draws& of, const Recorder& record) {
+void check_independence(const Draws& of, const Recorder& record) {
   const DrawSums& sums = of.sums();
   record(sums.same_cut,
          [&] { return fmt::format("{}: the cut depends on what is drawn", of.point.at.text()); });
@@ -39,7 +39,7 @@ const PropertyInfo property::draws_are_independent{
     .formula = "|mean of (e - mean e) (e' - mean e')| <= Bernstein's deviation, for pairs of "
                "clusters",
     .needs = only(Part::sampling) | only(Part::random_cuts),
-    .of_draws = check,
+    .of_draws = check_independence,
 };
 
 } // namespace lightcuts::oracle

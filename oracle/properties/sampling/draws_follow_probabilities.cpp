@@ -31,7 +31,7 @@ std::vector<std::uint64_t> counts_of(const Draws& of, const RandomCluster& clust
   return counts;
 }
 
-void check(const Draws& of, const Recorder& record) {
+void check_frequencies(const Draws& of, const Recorder& record) {
   for (const RandomCluster& cluster : of.clusters()) {
     if (cluster.lights.size() < 2) continue;
     const std::vector<std::uint64_t> counts = counts_of(of, cluster);
@@ -57,7 +57,7 @@ const PropertyInfo property::draws_follow_probabilities{
     .statement = "Lights are drawn as often as their probabilities say.",
     .formula = "|count / n - probability| <= Bernstein's deviation, for each light",
     .needs = only(Part::sampling),
-    .of_draws = check,
+    .of_draws = check_frequencies,
 };
 
 } // namespace lightcuts::oracle

@@ -146,7 +146,7 @@ private:
 
 constexpr double largest = 1 - 0x1p-53; // below 1
 
-void check(const ClusterOdds& of, const Recorder& record) {
+void check_stated_probability(const ClusterOdds& of, const Recorder& record) {
   std::array<double, 8> random;
   for (std::size_t i = 0; i < random.size(); ++i)
     random[i] = (double(i) + 0.5) / double(random.size());
@@ -167,7 +167,7 @@ const PropertyInfo property::draws_state_their_probability{
     .formula = "probability of sample() = probability() of the same light, but for 2^-50 of it for "
                "each level of the tree",
     .needs = only(Part::sampling),
-    .of_odds = check,
+    .of_odds = check_stated_probability,
 };
 
 } // namespace lightcuts::oracle

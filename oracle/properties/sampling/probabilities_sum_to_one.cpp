@@ -9,7 +9,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const ClusterOdds& of, const Recorder& record) {
+void check_sum(const ClusterOdds& of, const Recorder& record) {
   long double sum = 0;
   bool all_shine = true;
   for (std::size_t i = 0; i < of.p.size(); ++i) {
@@ -33,7 +33,7 @@ const PropertyInfo property::probabilities_sum_to_one{
                  "where none may be drawn.",
     .formula = "sum <= 1 + rounding; >= 1 - rounding where each light contributes",
     .needs = only(Part::sampling),
-    .of_odds = check,
+    .of_odds = check_sum,
 };
 
 } // namespace lightcuts::oracle

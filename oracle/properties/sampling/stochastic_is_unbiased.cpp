@@ -8,7 +8,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const Draws& of, const Recorder& record) {
+void check_mean(const Draws& of, const Recorder& record) {
   if (!of.sums().same_cut) return;
   for (std::size_t c = 0; c < 3; ++c) {
     const long double exact = of.point.at.truth.seen(0)[c];
@@ -31,7 +31,7 @@ const PropertyInfo property::stochastic_is_unbiased{
     .statement = "In the mean, draws give the exact sum.",
     .formula = "|mean of radiance - exact| <= Bernstein's deviation, per channel",
     .needs = only(Part::sampling) | only(Part::random_cuts),
-    .of_draws = check,
+    .of_draws = check_mean,
 };
 
 } // namespace lightcuts::oracle

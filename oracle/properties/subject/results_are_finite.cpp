@@ -36,11 +36,11 @@ void check_cluster(const PointAnswers& of, std::uint32_t node, const Recorder& r
 }
 
 void check_cut(const CutAnswer& of, const Recorder& record) {
-  constexpr float infinite = std::numeric_limits<float>::infinity();
+  constexpr float infinity = std::numeric_limits<float>::infinity();
   const glm::vec3 &radiance = of.cut.radiance, &error = of.cut.certified_error;
   bool holds = is_number(radiance) && is_number(error);
   // Estimates lie below bounds, so the total can only saturate if a bound has, or the truth does.
-  for (int c = 0; c < 3; ++c) holds = holds && (radiance[c] != infinite || error[c] == infinite);
+  for (int c = 0; c < 3; ++c) holds = holds && (radiance[c] != infinity || error[c] == infinity);
   record(holds, [&] {
     return fmt::format("{}: radiance {}, certified error {}", of.point.at.text(), text(radiance),
                        text(error));
@@ -60,7 +60,7 @@ void check_picture(const PictureCase& of, const Recorder& record) {
   });
 }
 
-BothSides sides(const PointAnswers& of, std::uint32_t node) {
+BothSides result_sides(const PointAnswers& of, std::uint32_t node) {
   BothSides sides = bound_sides(of, node);
   sides.must_be_finite = true;
   return sides;
@@ -76,7 +76,7 @@ const PropertyInfo property::results_are_finite{
     .of_cut = check_cut,
     .of_odds = check_odds,
     .of_picture = check_picture,
-    .sides = sides,
+    .sides = result_sides,
 };
 
 } // namespace lightcuts::oracle

@@ -63,7 +63,7 @@ std::string differing_draw(const PointAnswers& of, SubjectTree& other) {
   return {};
 }
 
-void check(const PointAnswers& of, const CutConfig& config, const Recorder& record) {
+void check_agreement(const PointAnswers& of, const CutConfig& config, const Recorder& record) {
   const std::unique_ptr<SubjectTree> elsewhere = of.judged.tree.for_another_thread();
   std::string difference;
   const auto compare = [&](SubjectTree& tree, const char* who) {
@@ -83,7 +83,7 @@ const PropertyInfo property::threads_agree{
     .name = "threads-agree",
     .statement = "Asked again, and by another thread, it answers the same bits.",
     .formula = "bounds, estimates, radiance, certified error, draws",
-    .of_point = check,
+    .of_point = check_agreement,
 };
 
 } // namespace lightcuts::oracle

@@ -8,7 +8,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const TreeCase& of, const Recorder& record) {
+void check_representatives(const TreeCase& of, const Recorder& record) {
   if (of.topology == nullptr) return;
   const Topology& tree = *of.topology;
   const auto nodes = tree.parents_first();
@@ -34,7 +34,7 @@ const PropertyInfo property::representative_belongs{
     .statement = "A cluster's representative is one of its lights, and that of one of its "
                  "children.",
     .formula = "by induction from the leaves",
-    .of_tree = check,
+    .of_tree = check_representatives,
 };
 
 } // namespace lightcuts::oracle

@@ -39,7 +39,7 @@ void check_node(std::uint32_t i, const glm::dvec3& intensity, const Sum& sum,
   });
 }
 
-void check(const TreeCase& of, const Recorder& record) {
+void check_intensity(const TreeCase& of, const Recorder& record) {
   if (of.topology == nullptr) return;
   const Topology& tree = *of.topology;
   std::vector<Sum> sums(tree.size());
@@ -75,7 +75,7 @@ const PropertyInfo property::tree_conserves_intensity{
     .name = "tree-conserves-intensity",
     .statement = "A cluster's intensity is the total of its lights'.",
     .formula = "|intensity - sum| <= height * 2^-53 * sum, per channel",
-    .of_tree = check,
+    .of_tree = check_intensity,
     .node_rows = rows,
 };
 

@@ -9,11 +9,11 @@
 namespace lightcuts::oracle {
 namespace {
 
-constexpr std::size_t most_lights = 12; // the naive tree takes N^3
+constexpr std::size_t most_naive_lights = 12; // the naive tree takes N^3
 
-void check(const TreeCase& of, const Recorder& record) {
+void check_naive(const TreeCase& of, const Recorder& record) {
   const LightKinds kinds = of.lights.kinds();
-  if (of.topology == nullptr || of.lights.size() > most_lights || (kinds & (kinds - 1)) != 0)
+  if (of.topology == nullptr || of.lights.size() > most_naive_lights || (kinds & (kinds - 1)) != 0)
     return;
   const double cost = tree_cost(*of.topology, of.lights);
   const double naive = naive_tree_cost(of.lights);
@@ -33,7 +33,7 @@ const PropertyInfo property::tree_equals_naive{
                "2^-40)",
     .severity = Severity::waste,
     .needs = only(Part::greedy_tree),
-    .of_tree = check,
+    .of_tree = check_naive,
 };
 
 } // namespace lightcuts::oracle

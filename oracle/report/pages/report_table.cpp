@@ -12,16 +12,17 @@
 namespace lightcuts::oracle {
 namespace {
 
-constexpr std::size_t columns = 12;
+constexpr std::size_t column_count = 12;
 constexpr std::size_t widest_line = 100;
 constexpr std::size_t narrowest_method = 6;
-using Row = std::array<std::string, columns>;
+using TableRow = std::array<std::string, column_count>;
 
-const std::array<Row, 2> header = {
-    Row{"", "thresh-", "mean", "rays", "mean", "max", "certi-", "pixels", "render", "speed", //
-        "optimal", "cut"},
-    Row{"method", "old", "cut", "/pixel", "error", "error", "fied", "over", "seconds", "-up", //
-        "cut", "effic."}};
+const std::array<TableRow, 2> header = {TableRow{"", "thresh-", "mean", "rays", "mean", "max",
+                                                 "certi-", "pixels", "render", "speed", //
+                                                 "optimal", "cut"},
+                                        TableRow{"method", "old", "cut", "/pixel", "error", "error",
+                                                 "fied", "over", "seconds", "-up", //
+                                                 "cut", "effic."}};
 
 bool starts_code_point(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
@@ -45,7 +46,7 @@ std::string shortened(std::string text, std::size_t width) {
   return text + "~";
 }
 
-Row row_of(const Report& report, const Run& run) {
+TableRow row_of(const Report& report, const Run& run) {
   const bool exact = is_reference(run);
   const bool sampled = run.optimal_cut_size > 0;
   return {printable(run.method),
@@ -62,31 +63,32 @@ Row row_of(const Report& report, const Run& run) {
           sampled ? percent(run.cut_efficiency) : "-"};
 }
 
-std::vector<Row> rows_of(const Report& report) {
-  std::vector<Row> rows(header.begin(), header.end());
+std::vector<TableRow> rows_of(const Report& report) {
+  std::vector<TableRow> rows(header.begin(), header.end());
   for (const Run& run : report.runs) rows.push_back(row_of(report, run));
   return rows;
 }
 
-std::array<std::size_t, columns> widths_of(const std::vector<Row>& rows) {
-  std::array<std::size_t, columns> widths{};
-  for (const Row& row : rows)
-    for (std::size_t c = 0; c < columns; ++c) widths[c] = std::max(widths[c], width_of(row[c]));
+std::array<std::size_t, column_count> widths_of(const std::vector<TableRow>& rows) {
+  std::array<std::size_t, column_count> widths{};
+  for (const TableRow& row : rows)
+    for (std::size_t c = 0; c < column_count; ++c)
+      widths[c] = std::max(widths[c], width_of(row[c]));
   return widths;
 }
 
-std::string aligned(const std::vector<Row>& rows) {
+std::string aligned(const std::vector<TableRow>& rows) {
   auto widths = widths_of(rows);
   std::size_t numbers = 0;
-  for (std::size_t c = 1; c < columns; ++c) numbers += widths[c];
-  const std::size_t gaps = columns - 1;
+  for (std::size_t c = 1; c < column_count; ++c) numbers += widths[c];
+  const std::size_t gaps = column_count - 1;
   const std::size_t gap = widths[0] + numbers + 2 * gaps <= widest_line ? 2 : 1;
   const std::size_t taken = std::min(numbers + gap * gaps, widest_line - narrowest_method);
   widths[0] = std::min(widths[0], widest_line - taken);
   std::string text;
-  for (const Row& row : rows) {
+  for (const TableRow& row : rows) {
     text += fmt::format("{:<{}}", shortened(row[0], widths[0]), widths[0]);
-    for (std::size_t c = 1; c < columns; ++c)
+    for (std::size_t c = 1; c < column_count; ++c)
       text += fmt::format("{:>{}}", row[c], widths[c] + gap);
     text += "\n";
   }

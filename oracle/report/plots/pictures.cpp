@@ -12,8 +12,6 @@
 namespace lightcuts::oracle {
 namespace {
 
-double channel_sum(const glm::vec3& v) { return double(v.x) + v.y + v.z; }
-
 void add_rgb(Film& film, const std::string& prefix, const Rendering& r) {
   for (int c = 0; c < 3; ++c) {
     const auto channel = film.channel(prefix + "RGB"[c]);
@@ -43,7 +41,7 @@ std::vector<glm::vec3> picture_of(const Rendering& r) {
   return picture;
 }
 
-float largest(const std::vector<float>& values) {
+float largest_of(const std::vector<float>& values) {
   return values.empty() ? 1 : std::max(1e-30F, *std::max_element(values.begin(), values.end()));
 }
 
@@ -83,15 +81,15 @@ std::vector<std::pair<std::string, std::string>> write_pictures(const PictureSou
     write_png(add("Reference: every light on its own", "reference.png"), r.size,
               picture_of(*source.reference), exposure);
   write_heat_map(add("Lights evaluated per pixel (cut size)", "cut-size.png"), r.size, r.cut_size,
-                 {0, largest(r.cut_size), false});
+                 {0, largest_of(r.cut_size), false});
   write_heat_map(add("Shadow rays per pixel", "shadow-rays.png"), r.size, r.shadow_rays,
-                 {0, largest(r.shadow_rays), false});
+                 {0, largest_of(r.shadow_rays), false});
   write_heat_map(add("Time per pixel, microseconds", "time.png"), r.size, r.microseconds,
-                 {1, std::max(2.0F, largest(r.microseconds)), true});
+                 {1, std::max(2.0F, largest_of(r.microseconds)), true});
   if (source.reference == nullptr) return pictures;
   const auto errors = relative_errors(r, *source.reference, source.black_level);
   write_heat_map(add("Relative error per pixel", "error.png"), r.size, errors,
-                 {0, largest(errors), false});
+                 {0, largest_of(errors), false});
   return pictures;
 }
 

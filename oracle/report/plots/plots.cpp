@@ -19,7 +19,7 @@ struct Series {
   std::string style;
 };
 
-struct Drawing {
+struct PlotDrawing {
   LogAxis x, y;
   std::vector<Series> series;
 
@@ -81,7 +81,7 @@ std::string vertical_line(double x, const std::string& label, const char* side) 
                      x, gnuplot_quoted(label), side, side == std::string("left") ? 0.8 : -0.8);
 }
 
-Series error_of_method(Drawing& drawing, const Report& report, const std::string& method) {
+Series error_of_method(PlotDrawing& drawing, const Report& report, const std::string& method) {
   Series series{method, "", fmt::format("lt {}", drawing.series.size() + 1)};
   for (const Run& run : by_threshold(report, method))
     drawing.add(series, run.render_seconds, 100 * run.mean_relative_error, threshold_text(run));
@@ -94,8 +94,8 @@ struct Quantity {
 };
 
 // A colour per quantity; a dash and a point per method.
-void add_quantities(Drawing& drawing, const Report& report, const std::string& method, int index,
-                    bool alone) {
+void add_quantities(PlotDrawing& drawing, const Report& report, const std::string& method,
+                    int index, bool alone) {
   static constexpr Quantity quantities[] = {{"certified", &Run::mean_certified_error},
                                             {"largest", &Run::max_relative_error},
                                             {"mean", &Run::mean_relative_error}};
@@ -112,7 +112,7 @@ void add_quantities(Drawing& drawing, const Report& report, const std::string& m
 } // namespace
 
 std::string error_against_time_plot(const Report& report) {
-  Drawing drawing;
+  PlotDrawing drawing;
   for (const std::string& method : tree_methods(report))
     drawing.series.push_back(error_of_method(drawing, report, method));
   std::string reference;
@@ -126,7 +126,7 @@ std::string error_against_time_plot(const Report& report) {
 }
 
 std::string error_against_threshold_plot(const Report& report) {
-  Drawing drawing;
+  PlotDrawing drawing;
   const std::vector<std::string> methods = tree_methods(report);
   for (std::size_t i = 0; i < methods.size(); ++i)
     add_quantities(drawing, report, methods[i], static_cast<int>(i), methods.size() == 1);

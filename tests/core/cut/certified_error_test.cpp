@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <tests/support/float_limits.h>
 #include <tests/support/generators.h>
 #include <tests/support/precise.h>
 
@@ -13,8 +14,6 @@ namespace lightcuts {
 namespace {
 
 using precise::Quad;
-
-constexpr float inf = std::numeric_limits<float>::infinity();
 
 /// A double >= 0 of any scale that sums of estimates reach.
 double some_total(gen::Dice& dice) {

@@ -11,6 +11,7 @@
 #include <lightcuts/core/tree/tree_builder.h>
 #include <tests/support/allocation_count.h>
 #include <tests/support/cut_promises.h>
+#include <tests/support/float_limits.h>
 #include <tests/support/generators.h>
 
 namespace lightcuts {
@@ -18,9 +19,6 @@ namespace {
 
 using precise::Colour;
 using precise::Quad;
-
-constexpr float inf = std::numeric_limits<float>::infinity();
-const auto everything = [](std::uint32_t) { return true; };
 
 RC_GTEST_PROP(CutSelector, KeepsEveryPromise, ()) { RC_ASSERT(broken_promise(*cut_case()) == ""); }
 
@@ -298,7 +296,6 @@ TEST(CutConfig, NamesTheFieldItRefuses) {
     }
     return "";
   };
-  const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(refusal({}), "");
   EXPECT_NE(refusal({.threshold = -0.1F}).find("threshold"), std::string::npos);
   EXPECT_NE(refusal({.threshold = nan}).find("threshold"), std::string::npos);

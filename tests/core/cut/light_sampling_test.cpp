@@ -9,6 +9,7 @@
 
 #include <lightcuts/core/cut/certified_error.h>
 #include <lightcuts/core/tree/tree_builder.h>
+#include <tests/support/check_property.h>
 #include <tests/support/generators.h>
 #include <tests/support/precise.h>
 
@@ -74,11 +75,6 @@ class LightSampling : public testing::Test {};
 
 using Importances = testing::Types<IntensityImportance, HierarchicalImportance>;
 TYPED_TEST_SUITE(LightSampling, Importances);
-
-template <class Check>
-void check_property(const char* description, const Check& check) {
-  EXPECT_TRUE(rc::check(description, check)) << description;
-}
 
 TYPED_TEST(LightSampling, HasProbabilitiesThatSumToOne) {
   check_property("those of all lights and of none sum to 1", [] {

@@ -11,6 +11,7 @@
 #include <lightcuts/core/cut/sum_lights.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <tests/support/allocation_count.h>
+#include <tests/support/check_property.h>
 #include <tests/support/cut_promises.h>
 #include <tests/support/generators.h>
 
@@ -19,18 +20,11 @@ namespace {
 
 using ByIntensity = BasicStochasticCutSelector<IntensityImportance>;
 
-const auto everything = [](std::uint32_t) { return true; };
-
 template <class Selector>
 class StochasticCut : public testing::Test {};
 
 using Selectors = testing::Types<ByIntensity, StochasticCutSelector>;
 TYPED_TEST_SUITE(StochasticCut, Selectors);
-
-template <class Check>
-void check_property(const char* description, const Check& check) {
-  EXPECT_TRUE(rc::check(description, check)) << description;
-}
 
 TYPED_TEST(StochasticCut, CertifiesItsErrorAndCountsItsRays) {
   check_property("radiance is within certified_error of the truth", [] {

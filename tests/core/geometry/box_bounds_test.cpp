@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <tests/support/box_reference.h>
+#include <tests/support/float_limits.h>
 #include <tests/support/generators.h>
 
 namespace lightcuts {
@@ -13,8 +14,6 @@ namespace {
 using gen::BoxView;
 using precise::Exact;
 using precise::Point;
-
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 double least_cosine_over_distance2(const BoxView& v) {
   return min_cosine_times(v.n, v.x, v.box, [](double length2) { return 1 / length2; });

@@ -6,6 +6,7 @@
 
 #include <lightcuts/core/geometry/box_bounds.h>
 #include <tests/support/box_reference.h>
+#include <tests/support/float_limits.h>
 #include <tests/support/generators.h>
 
 namespace lightcuts {
@@ -13,8 +14,6 @@ namespace {
 
 using gen::BoxView;
 using precise::Exact;
-
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 RC_GTEST_PROP(CertifiedSup, IsTheSupremumWhereItIsDecided, ()) {
   const BoxView v = *gen::box_view();

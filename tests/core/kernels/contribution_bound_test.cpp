@@ -10,6 +10,7 @@
 
 #include <lightcuts/core/tree/tree_builder.h>
 #include <tests/support/box_reference.h>
+#include <tests/support/float_limits.h>
 #include <tests/support/generators.h>
 #include <tests/support/precise.h>
 
@@ -19,10 +20,6 @@ namespace {
 using precise::Colour;
 using precise::Exact;
 using precise::Quad;
-
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float largest = std::numeric_limits<float>::max();
-constexpr double least = 0x1p-149; ///< smallest subnormal float
 
 glm::vec3 bound_of(const LightTree& tree, std::uint32_t node, const ShadingPoint& point) {
   return contribution_bound(tree, node, point);
@@ -92,7 +89,7 @@ void check_shrinks(const gen::Scene& scene) {
     const glm::vec3 b = bound_of(tree, node.first_child + 1, point);
     for (int c = 0; c < 3; ++c)
       // Each child's bound may exceed its real expression by that and one smallest subnormal.
-      RC_ASSERT(double(a[c]) + b[c] <= double(parent[c]) * (1 + bound_excess) + 2 * least);
+      RC_ASSERT(double(a[c]) + b[c] <= double(parent[c]) * (1 + bound_excess) + 2 * smallest_float);
   }
 }
 
@@ -166,8 +163,8 @@ RC_GTEST_PROP(ContributionBound, ExceedsTheRealExpressionByNoMoreThanStated, ())
         RC_ASSERT(bound[c] == inf);
         continue;
       }
-      const Quad most = *real[c] * (1 + bound_excess) + Quad(least);
-      RC_ASSERT((bound[c] == inf ? most > Quad(largest) : Quad(bound[c]) <= most));
+      const Quad most = *real[c] * (1 + bound_excess) + Quad(smallest_float);
+      RC_ASSERT((bound[c] == inf ? most > Quad(largest_float) : Quad(bound[c]) <= most));
       RC_ASSERT(bound[c] == inf || Quad(bound[c]) >= *real[c]);
       RC_ASSERT((bound[c] == 0) == (*real[c] == 0));
     }
@@ -226,10 +223,10 @@ TEST(ContributionBound, HoldsAtTheEndsOfTheRange) {
   const glm::vec3 side(3, 0, 4);
   EXPECT_GT(bound_of_light(side, glm::vec3(1e-45F), dim).x, 0);
 
-  const Material glare{glm::vec3(0), Phong{glm::vec3(largest), Phong::max_exponent}};
+  const Material glare{glm::vec3(0), Phong{glm::vec3(largest_float), Phong::max_exponent}};
   const ShadingPoint bright({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, glare);
   const glm::vec3 near = 0x1p-147F * side;
-  EXPECT_EQ(bound_of_light(near, glm::vec3(largest), bright).x, 0x1p-149F);
+  EXPECT_EQ(bound_of_light(near, glm::vec3(largest_float), bright).x, 0x1p-149F);
 }
 
 TEST(ContributionLowerBound, OfADiffuseLeafIsItsContributionRoundedDown) {
@@ -247,11 +244,11 @@ TEST(ContributionLowerBound, IsBelowTheContributionOfWhatIsTinyInAllButBrightnes
   constexpr float tiny = 0x1p-149F;
   for (const float x : {4 * tiny, 6 * tiny, 100 * tiny, 0x1p-120F}) {
     LightSet lights;
-    lights.set_min_distance(largest);
-    lights.add_omni({x, 0, 0}, glm::vec3(largest));
+    lights.set_min_distance(largest_float);
+    lights.add_omni({x, 0, 0}, glm::vec3(largest_float));
     const ShadingPoint point({0, 0, 0}, {0x1.0d34p-135F, 1, 0}, {1, 0, 0},
-                             {glm::vec3(largest), {}});
-    const Quad exact = precise::contribution(point, lights[0], largest)[0];
+                             {glm::vec3(largest_float), {}});
+    const Quad exact = precise::contribution(point, lights[0], largest_float)[0];
     EXPECT_GT(exact, 0);
     const float low = contribution_lower_bound(build(lights), 0, point).x;
     EXPECT_LE(Quad(low), exact) << x;
@@ -268,7 +265,7 @@ RC_GTEST_PROP(ProductBound, IsNotBelowTheJointOneButForRounding, ()) {
     const glm::vec3 product = product_of(tree, i, point);
     for (int c = 0; c < 3; ++c) {
       RC_ASSERT(!std::isnan(product[c]));
-      RC_ASSERT(double(product[c]) * (1 + bound_excess) + least >= double(joint[c]));
+      RC_ASSERT(double(product[c]) * (1 + bound_excess) + smallest_float >= double(joint[c]));
     }
   }
 }

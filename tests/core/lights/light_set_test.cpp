@@ -2,7 +2,6 @@
 #include <lightcuts/core/lights/light_set.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -10,13 +9,11 @@
 #include <rapidcheck/gtest.h>
 
 #include <lightcuts/core/input_error.h>
+#include <tests/support/float_limits.h>
 #include <tests/support/generators.h>
 
 namespace lightcuts {
 namespace {
-
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 /// The message with which the third light is refused; empty if it is taken.
 std::string refusal(const glm::vec3& position, const glm::vec3& intensity) {
@@ -32,7 +29,7 @@ std::string refusal(const glm::vec3& position, const glm::vec3& intensity) {
   return {};
 }
 
-bool names(const std::string& message, const std::string& field) {
+bool names_third_light(const std::string& message, const std::string& field) {
   return message.find("light 2") != std::string::npos && message.find(field) != std::string::npos &&
          message.find('\n') == std::string::npos;
 }
@@ -42,10 +39,11 @@ TEST(LightSet, NamesTheLightAndTheFieldItRefuses) {
     for (const float bad : {nan, inf, -inf}) {
       glm::vec3 v(1);
       v[axis] = bad;
-      EXPECT_TRUE(names(refusal(v, {1, 1, 1}), std::string("position.") + "xyz"[axis]));
-      EXPECT_TRUE(names(refusal({1, 1, 1}, v), std::string("intensity.") + "rgb"[axis]));
+      EXPECT_TRUE(names_third_light(refusal(v, {1, 1, 1}), std::string("position.") + "xyz"[axis]));
+      EXPECT_TRUE(
+          names_third_light(refusal({1, 1, 1}, v), std::string("intensity.") + "rgb"[axis]));
     }
-  EXPECT_TRUE(names(refusal({0, 0, 0}, {1, -0x1p-149F, 1}), "intensity.g"));
+  EXPECT_TRUE(names_third_light(refusal({0, 0, 0}, {1, -0x1p-149F, 1}), "intensity.g"));
 }
 
 TEST(LightSet, TakesBlackLightsAndNegativeZero) {

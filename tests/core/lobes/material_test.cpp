@@ -7,12 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <lightcuts/core/input_error.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts {
 namespace {
-
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 std::string refusal(const Material& material) {
   try {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/core/lobes/shading_point.h>
 
-#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <lightcuts/core/input_error.h>
+#include <tests/support/float_limits.h>
 #include <tests/support/generators.h>
 #include <tests/support/precise.h>
 
@@ -15,9 +15,6 @@ namespace lightcuts {
 namespace {
 
 using precise::Quad;
-
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 std::string refusal(const gen::View& view) {
   try {

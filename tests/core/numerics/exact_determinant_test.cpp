@@ -13,11 +13,11 @@ namespace {
 using precise::Exact;
 
 /// Two directions and two points. Half the time y - x is all but in their plane.
-struct Operands {
+struct DeterminantOperands {
   glm::vec3 a, x, y, b;
 };
 
-std::ostream& operator<<(std::ostream& out, const Operands& o) {
+std::ostream& operator<<(std::ostream& out, const DeterminantOperands& o) {
   return out << gen::BoxView{{o.y, o.y}, o.x, o.a} << gen::BoxView{{o.y, o.y}, o.x, o.b};
 }
 
@@ -25,9 +25,10 @@ glm::vec3 finite(const glm::dvec3& v) {
   return {gen::Dice::finite(v.x), gen::Dice::finite(v.y), gen::Dice::finite(v.z)};
 }
 
-rc::Gen<Operands> operands() {
-  return gen::from_dice<Operands>([](gen::Dice& dice) {
-    Operands o{dice.unit_vector(), dice.finite_vector(), dice.finite_vector(), dice.unit_vector()};
+rc::Gen<DeterminantOperands> determinant_operands() {
+  return gen::from_dice<DeterminantOperands>([](gen::Dice& dice) {
+    DeterminantOperands o{dice.unit_vector(), dice.finite_vector(), dice.finite_vector(),
+                          dice.unit_vector()};
     if (dice.one_in(3)) o.b = -o.a;
     if (dice.one_in(3)) o.b[dice.below(3)] = dice.subnormal();
     if (dice.one_in(2)) o.x = dice.one_in(2) ? glm::vec3(0) : dice.in_cube();
@@ -38,7 +39,7 @@ rc::Gen<Operands> operands() {
   });
 }
 
-Exact real_determinant(const Operands& o) {
+Exact real_determinant(const DeterminantOperands& o) {
   Exact sum = 0;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -48,24 +49,20 @@ Exact real_determinant(const Operands& o) {
   return sum;
 }
 
-bool same_sign(double value, const Exact& exact) {
-  return (value > 0) == (exact > 0) && (value < 0) == (exact < 0);
-}
-
 RC_GTEST_PROP(ExactDeterminant, HasTheSignOfTheRealNumberAndAFewRoundings, ()) {
-  const Operands o = *operands();
+  const DeterminantOperands o = *determinant_operands();
   const Exact exact = real_determinant(o);
   const double value = exact_determinant(o.a, o.x, o.y, o.b);
-  RC_ASSERT(same_sign(value, exact));
+  RC_ASSERT(precise::same_sign(value, exact));
   // The terms do not overlap: what their last sum loses is less than 2 ulps.
   RC_ASSERT(abs(Exact(value) - exact) <= abs(exact) * 0x1p-51);
 }
 
 RC_GTEST_PROP(DeterminantBetween, HasTheSignOfTheRealNumberAndTheStatedError, ()) {
-  const Operands o = *operands();
+  const DeterminantOperands o = *determinant_operands();
   const Exact exact = real_determinant(o);
   const double value = determinant_between(o.a, o.x, o.y, o.b);
-  RC_ASSERT(same_sign(value, exact));
+  RC_ASSERT(precise::same_sign(value, exact));
   RC_ASSERT(abs(Exact(value) - exact) <= abs(exact) * determinant_error);
 }
 

@@ -13,16 +13,16 @@ namespace {
 using precise::Exact;
 
 /// n and two points. Half the time y - x is all but orthogonal to n.
-struct Operands {
+struct DotOperands {
   glm::vec3 n, x, y;
 };
 
-std::ostream& operator<<(std::ostream& out, const Operands& o) {
+std::ostream& operator<<(std::ostream& out, const DotOperands& o) {
   return out << gen::BoxView{{o.y, o.y}, o.x, o.n};
 }
 
 /// The float z that brings n.(y - x) closest to 0, or a neighbour of it.
-float cancelling_z(gen::Dice& dice, const Operands& o) {
+float cancelling_z(gen::Dice& dice, const DotOperands& o) {
   Exact rest = 0;
   for (int i = 0; i < 2; ++i) rest += Exact(o.n[i]) * (Exact(o.y[i]) - Exact(o.x[i]));
   const Exact z = Exact(o.x.z) - rest / Exact(o.n.z);
@@ -30,39 +30,35 @@ float cancelling_z(gen::Dice& dice, const Operands& o) {
   return gen::Dice::finite(std::nextafter(nearest, dice.pick({-1e38F, nearest, 1e38F})));
 }
 
-rc::Gen<Operands> operands() {
-  return gen::from_dice<Operands>([](gen::Dice& dice) {
-    Operands o{dice.one_in(2) ? dice.unit_vector() : dice.finite_vector(), dice.finite_vector(),
-               dice.finite_vector()};
+rc::Gen<DotOperands> dot_operands() {
+  return gen::from_dice<DotOperands>([](gen::Dice& dice) {
+    DotOperands o{dice.one_in(2) ? dice.unit_vector() : dice.finite_vector(), dice.finite_vector(),
+                  dice.finite_vector()};
     if (dice.one_in(2)) o.y = dice.in_cube(), o.x = dice.in_cube();
     if (dice.one_in(2) && o.n.z != 0) o.y.z = cancelling_z(dice, o);
     return o;
   });
 }
 
-bool same_sign(double value, const Exact& exact) {
-  return (value > 0) == (exact > 0) && (value < 0) == (exact < 0);
-}
-
 RC_GTEST_PROP(ExactDot, HasTheSignOfTheRealNumberAndAFewRoundings, ()) {
-  const Operands o = *operands();
+  const DotOperands o = *dot_operands();
   const Exact exact = precise::dot(o.n, o.x, o.y);
   const double value = exact_dot(o.n, o.x, o.y);
-  RC_ASSERT(same_sign(value, exact));
+  RC_ASSERT(precise::same_sign(value, exact));
   // The terms do not overlap: what the final sum of 6 loses is less than 2 ulps.
   RC_ASSERT(abs(Exact(value) - exact) <= abs(exact) * 0x1p-51);
 }
 
 RC_GTEST_PROP(DotBetween, HasTheSignOfTheRealNumberAndTheStatedError, ()) {
-  const Operands o = *operands();
+  const DotOperands o = *dot_operands();
   const Exact exact = precise::dot(o.n, o.x, o.y);
   const double value = dot_between(o.n, o.x, o.y);
-  RC_ASSERT(same_sign(value, exact));
+  RC_ASSERT(precise::same_sign(value, exact));
   RC_ASSERT(abs(Exact(value) - exact) <= abs(exact) * dot_error);
 }
 
 RC_GTEST_PROP(DotBetween, ChangesSignWithTheDirection, ()) {
-  const Operands o = *operands();
+  const DotOperands o = *dot_operands();
   RC_ASSERT(dot_between(-o.n, o.x, o.y) == -dot_between(o.n, o.x, o.y));
   RC_ASSERT(dot_between(o.n, o.x, o.x) == 0);
 }

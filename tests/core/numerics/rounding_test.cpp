@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <lightcuts/core/lobes/material.h>
+#include <tests/support/float_limits.h>
 #include <tests/support/generators.h>
 #include <tests/support/precise.h>
 
@@ -12,9 +13,6 @@ namespace lightcuts {
 namespace {
 
 using precise::Quad;
-
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float largest = std::numeric_limits<float>::max();
 
 /// A double >= 0: a float, a neighbour of one, between two, or beyond them all.
 double some_value(gen::Dice& dice) {
@@ -41,7 +39,7 @@ RC_GTEST_PROP(RoundUp, YieldsTheSmallestFloatThatIsNotBelow, ()) {
 RC_GTEST_PROP(ToFloat, YieldsTheNearestFloat, ()) {
   const double value = *gen::from_dice(some_value);
   const float f = to_float(value);
-  if (value > largest) {
+  if (value > largest_float) {
     RC_ASSERT(f == inf);
     return;
   }
@@ -54,8 +52,8 @@ TEST(RoundUp, KeepsFloatsAndNeverLosesAPositiveValue) {
   EXPECT_EQ(round_up(0.0), 0.0F);
   EXPECT_EQ(round_up(1.0), 1.0F);
   EXPECT_EQ(round_up(0x1p-1074), 0x1p-149F);
-  EXPECT_EQ(round_up(largest), largest);
-  EXPECT_EQ(round_up(std::nextafter(double(largest), 1e300)), inf);
+  EXPECT_EQ(round_up(largest_float), largest_float);
+  EXPECT_EQ(round_up(std::nextafter(double(largest_float), 1e300)), inf);
   EXPECT_EQ(round_up(std::numeric_limits<double>::infinity()), inf);
 }
 

@@ -17,13 +17,14 @@ namespace lightcuts::oracle {
 namespace {
 
 // Every kind of light, every lobe, with and without something that occludes, clamped or not.
-constexpr std::array kinds{"omni", "oriented", "spot", "directional", "mixed"};
-constexpr std::array materials{"diffuse", "phong", "ward", "ggx"};
+constexpr std::array campaign_kinds{"omni", "oriented", "spot", "directional", "mixed"};
+constexpr std::array campaign_materials{"diffuse", "phong", "ward", "ggx"};
 constexpr std::array rooms{"&blocks=0", "&blocks=20", "&blocks=0&clamp=0.5",
                            "&blocks=20&clamp=0.5"};
 
 constexpr std::uint64_t pairs_of_scene = 1'275'000;
-constexpr std::size_t scene_count = kinds.size() * materials.size() * rooms.size();
+constexpr std::size_t scene_count =
+    campaign_kinds.size() * campaign_materials.size() * rooms.size();
 static_assert(scene_count * pairs_of_scene >= 100'000'000);
 
 using Combination = std::tuple<const char*, const char*>;
@@ -57,7 +58,8 @@ TEST_P(Campaign, FindsNoViolation) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cloud, Campaign,
-                         testing::Combine(testing::ValuesIn(kinds), testing::ValuesIn(materials)),
+                         testing::Combine(testing::ValuesIn(campaign_kinds),
+                                          testing::ValuesIn(campaign_materials)),
                          [](const auto& tested) {
                            return std::string(std::get<0>(tested.param)) + "_" +
                                   std::get<1>(tested.param);

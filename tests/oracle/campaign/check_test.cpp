@@ -15,9 +15,9 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr auto occlusion = Property::occlusion_equals_brute_force;
+constexpr auto occlusion_checked = Property::occlusion_equals_brute_force;
 
-CheckConfig config_of(std::uint64_t pairs, unsigned threads = 2) {
+CheckConfig check_config(std::uint64_t pairs, unsigned threads = 2) {
   CheckConfig config;
   config.pairs = pairs;
   config.threads = threads;
@@ -30,7 +30,7 @@ CheckResult check_library(const Scene& scene, const CheckConfig& config) {
 }
 
 TEST(Check, FindsNothingWrongWithTheLibrary) {
-  const CheckResult result = check_library(shaded_floor_scene(40), config_of(20'000));
+  const CheckResult result = check_library(shaded_floor_scene(40), check_config(20'000));
   EXPECT_THAT(violated(result.tally), IsEmpty());
   for (const Property p : reached_by_check) EXPECT_GT(result.tally[p].cases, 0U) << info(p).name;
 }
@@ -40,10 +40,10 @@ TEST(Check, CountsTheSameForAnyNumberOfThreads) {
   const SceneView view(scene);
   // With something to find: the order of violations must not show either.
   const auto subject = mutant_named("intensity-of-representative")->subject();
-  const CheckResult one = check(view, *subject, config_of(6'000, 1));
+  const CheckResult one = check(view, *subject, check_config(6'000, 1));
   EXPECT_GT(one.tally.violations(), 0U);
   for (const unsigned threads : {2U, 5U}) {
-    const CheckResult many = check(view, *subject, config_of(6'000, threads));
+    const CheckResult many = check(view, *subject, check_config(6'000, threads));
     EXPECT_TRUE(one.tally == many.tally) << threads << " threads";
     EXPECT_EQ(one.rays, many.rays);
     EXPECT_EQ(one.undecided_rays, many.undecided_rays);
@@ -63,7 +63,7 @@ public:
 
 TEST(Check, ConvictsWhatIsNoTreeAndAsksItNothingMore) {
   const Scene scene = floor_scene(10);
-  const CheckResult result = check(SceneView(scene), subject_with<NoTree>(), config_of(1'000));
+  const CheckResult result = check(SceneView(scene), subject_with<NoTree>(), check_config(1'000));
   EXPECT_THAT(violated(result.tally), ElementsAre(Property::tree_partitions_lights));
   EXPECT_EQ(result.points, 0U);
 }
@@ -71,7 +71,7 @@ TEST(Check, ConvictsWhatIsNoTreeAndAsksItNothingMore) {
 TEST(Check, VisitsAtLeastSoManyPairs) {
   const Scene scene = floor_scene(10);
   for (const std::uint64_t pairs : {1U, 19U, 20U, 1000U}) {
-    const CheckResult result = check_library(scene, config_of(pairs));
+    const CheckResult result = check_library(scene, check_config(pairs));
     EXPECT_GE(result.pairs, pairs);
     EXPECT_LT(result.pairs, pairs + 19);
     EXPECT_EQ(result.pairs, result.points * 19);
@@ -81,7 +81,7 @@ TEST(Check, VisitsAtLeastSoManyPairs) {
 }
 
 TEST(Check, JudgesTwoCutsAtEachPointAndAnExactOneAtEveryEighth) {
-  const CheckResult result = check_library(floor_scene(10), config_of(19 * 17));
+  const CheckResult result = check_library(floor_scene(10), check_config(19 * 17));
   EXPECT_EQ(result.points, 17U);
   // And three of the excerpt at the first one.
   EXPECT_EQ(result.tally[Property::cut_partitions_lights].cases, 2U * 17 + 3 + 3);
@@ -96,13 +96,13 @@ Scene diffuse_floor_scene(std::uint32_t lights) {
 }
 
 TEST(Check, SweepsBoundsOnDiffuseSurfacesUnderOmniLights) {
-  const CheckResult swept = check_library(diffuse_floor_scene(100), config_of(199 * 320));
+  const CheckResult swept = check_library(diffuse_floor_scene(100), check_config(199 * 320));
   EXPECT_EQ(swept.points, 320U);
   EXPECT_EQ(swept.swept_pairs, 199U * (320 - 320 / points_per_full_check));
   EXPECT_GE(swept.tally[Property::bound_dominates_contribution].cases, swept.pairs);
   EXPECT_GT(swept.tally[Property::bound_dominates_contribution].worst_ratio, 0.5);
   EXPECT_THAT(violated(swept.tally), IsEmpty());
-  EXPECT_EQ(check_library(floor_scene(100), config_of(199 * 320)).swept_pairs, 0U);
+  EXPECT_EQ(check_library(floor_scene(100), check_config(199 * 320)).swept_pairs, 0U);
 }
 
 /// Of one light, too low.
@@ -117,7 +117,7 @@ struct LowOfLeaves : LibraryTree {
 TEST(Check, ConvictsALowBoundWhereBoundsAreSwept) {
   const Scene scene = diffuse_floor_scene(100);
   const CheckResult result =
-      check(SceneView(scene), subject_with<LowOfLeaves>(), config_of(199 * 3200));
+      check(SceneView(scene), subject_with<LowOfLeaves>(), check_config(199 * 3200));
   const std::uint64_t full = 3200 / points_per_full_check;
   EXPECT_GT(result.tally[Property::bound_dominates_contribution].violations, 3 * full);
 }
@@ -127,10 +127,10 @@ TEST(Check, GoesOnAsIfItHadNotStopped) {
     const Scene scene = swept ? diffuse_floor_scene(30) : shaded_floor_scene(30);
     const SceneView view(scene);
     const auto subject = library_subject();
-    const CheckResult whole = check(view, *subject, config_of(59 * 600));
+    const CheckResult whole = check(view, *subject, check_config(59 * 600));
     CheckResult result;
     for (const std::uint64_t points : {1U, 70U, 600U}) {
-      result = check(view, *subject, config_of(59 * points), result);
+      result = check(view, *subject, check_config(59 * points), result);
       EXPECT_EQ(result.points, points);
       EXPECT_TRUE(result.complete);
     }
@@ -143,7 +143,7 @@ TEST(Check, GoesOnAsIfItHadNotStopped) {
 TEST(Check, EndsWhereItIsCancelledAndGoesOnFromThere) {
   const Scene scene = shaded_floor_scene(30);
   const SceneView view(scene);
-  CheckConfig config = config_of(59 * 20'000);
+  CheckConfig config = check_config(59 * 20'000);
   int asked = 0;
   config.progress = Progress::until([&asked] { return ++asked == 2; });
   const CheckResult part = check(view, *library_subject(), config);
@@ -173,20 +173,20 @@ TEST(Check, ConvictsASubjectThatIgnoresOcclusion) {
   for (const bool shaded : {false, true}) {
     const Scene scene = shaded ? shaded_floor_scene(30) : floor_scene(30);
     const SceneView view(scene);
-    const Tally tally = check(view, subject_with<BlindTree>(), config_of(6'000)).tally;
+    const Tally tally = check(view, subject_with<BlindTree>(), check_config(6'000)).tally;
     EXPECT_EQ(tally[Property::zero_threshold_is_exact].violations > 0, shaded);
   }
 }
 
 TEST(Check, ComparesTheRaysItCounts) {
-  const CheckResult result = check_library(shaded_floor_scene(20), config_of(4'000));
+  const CheckResult result = check_library(shaded_floor_scene(20), check_config(4'000));
   EXPECT_GE(result.rays, 1000U);
-  EXPECT_EQ(result.rays - result.undecided_rays, result.tally[occlusion].cases);
+  EXPECT_EQ(result.rays - result.undecided_rays, result.tally[occlusion_checked].cases);
 }
 
 TEST(Check, DependsOnTheSeed) {
   const Scene scene = shaded_floor_scene(20);
-  CheckConfig config = config_of(2'000);
+  CheckConfig config = check_config(2'000);
   const CheckResult one = check_library(scene, config);
   EXPECT_TRUE(one.tally == check_library(scene, config).tally);
   config.seed = 2;
@@ -195,7 +195,7 @@ TEST(Check, DependsOnTheSeed) {
 
 TEST(Check, ReportsProgressUpToTheEnd) {
   double last = 0;
-  CheckConfig config = config_of(2'000, 1);
+  CheckConfig config = check_config(2'000, 1);
   config.progress = Progress([&](double share) {
     EXPECT_GE(share, last);
     last = share;
@@ -211,9 +211,9 @@ TEST(Check, ConvictsAnOccluderThatMissesTheLastTriangles) {
   ASSERT_TRUE(view.may_occlude());
   add_quad(scene, {-1.4F, 0.5F, 0.5F}, {-0.4F, 0.5F, 0.5F}, {-0.4F, 0.5F, -0.5F},
            {-1.4F, 0.5F, -0.5F});
-  const CheckResult result = check(view, *library_subject(), config_of(6'000));
-  EXPECT_THAT(violated(result.tally), ElementsAre(occlusion));
-  EXPECT_THAT(result.tally[occlusion].first_violation,
+  const CheckResult result = check(view, *library_subject(), check_config(6'000));
+  EXPECT_THAT(violated(result.tally), ElementsAre(occlusion_checked));
+  EXPECT_THAT(result.tally[occlusion_checked].first_violation,
               testing::HasSubstr("seen, by brute force blocked"));
 }
 
@@ -221,15 +221,15 @@ TEST(Check, ConvictsAnOccluderThatHasTrianglesTooMany) {
   Scene scene = shaded_floor_scene(30);
   const SceneView view(scene);
   scene.mesh.triangles.resize(2);
-  const CheckResult result = check(view, *library_subject(), config_of(6'000));
-  EXPECT_THAT(violated(result.tally), ElementsAre(occlusion));
-  EXPECT_THAT(result.tally[occlusion].first_violation,
+  const CheckResult result = check(view, *library_subject(), check_config(6'000));
+  EXPECT_THAT(violated(result.tally), ElementsAre(occlusion_checked));
+  EXPECT_THAT(result.tally[occlusion_checked].first_violation,
               testing::HasSubstr("blocked, by brute force seen"));
 }
 
 // With threshold 0, but a black level, the cut is not exact.
 TEST(Check, DoesNotAskForExactnessUnderABlackLevel) {
-  CheckConfig config = config_of(6'000);
+  CheckConfig config = check_config(6'000);
   config.cut = {0, 1000, 0.05F};
   EXPECT_THAT(violated(check_library(shaded_floor_scene(30), config).tally), IsEmpty());
 }
@@ -238,11 +238,11 @@ TEST(Check, RefusesACameraThatSeesNothing) {
   Scene scene = floor_scene(3);
   scene.camera.target = {0, 6, 0.5F};
   scene.camera.up = {1, 0, 0};
-  EXPECT_THROW((void)check_library(scene, config_of(100)), InputError);
+  EXPECT_THROW((void)check_library(scene, check_config(100)), InputError);
 }
 
 TEST(Check, RefusesASceneWithoutLights) {
-  EXPECT_THROW((void)check_library(floor_scene(0), config_of(100)), InputError);
+  EXPECT_THROW((void)check_library(floor_scene(0), check_config(100)), InputError);
 }
 
 } // namespace

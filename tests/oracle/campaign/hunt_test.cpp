@@ -11,13 +11,13 @@
 
 #include <tests/oracle/support/case_text.h>
 #include <tests/oracle/support/made_subject.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts::oracle {
 namespace {
 
 using testing::IsEmpty;
 
-constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr double for_ever = 1e9;
 
 HuntConfig config_of(std::uint64_t cases, std::uint64_t seed = 1) {

@@ -42,7 +42,7 @@ TEST(AsTest, JudgesTheSubjectOfTheFile) {
   };
   for (const std::string name : {"lightcuts", "paper", "/of/some one/libmine.so"}) {
     EXPECT_THAT(text(name), HasSubstr("EXPECT_EQ(failure_of(*subject_named(\"" + name + "\"),"));
-    EXPECT_THAT(text(name), HasSubstr("#include <oracle/subjects/subjects.h>"));
+    EXPECT_THAT(text(name), HasSubstr("#include <oracle/counterexamples/named_subjects.h>"));
     EXPECT_THAT(text(name), Not(HasSubstr("EXPECT_NE")));
   }
   EXPECT_THAT(text("/a\\b\"c.so"), HasSubstr("subject_named(\"/a\\\\b\\\"c.so\")"));

@@ -16,7 +16,7 @@ namespace lightcuts::oracle {
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
-constexpr Property any = Property::cut_obeys_threshold;
+constexpr Property any_property = Property::cut_obeys_threshold;
 
 struct Event {
   Property property;
@@ -66,18 +66,19 @@ RC_GTEST_PROP(Tally, CountsTheSameInPartsAsInOne, ()) {
 
 TEST(Tally, DescribesTheViolationAtTheLowestPlace) {
   Tally tally;
-  for (const std::uint64_t place : {5, 3, 9}) record(tally, {any, false, place, 1});
-  record(tally, {any, true, 1, 1});
-  EXPECT_EQ(tally[any].first_violation, "3");
-  EXPECT_EQ(tally[any].cases, 4U);
-  EXPECT_EQ(tally[any].violations, 3U);
+  for (const std::uint64_t place : {5, 3, 9}) record(tally, {any_property, false, place, 1});
+  record(tally, {any_property, true, 1, 1});
+  EXPECT_EQ(tally[any_property].first_violation, "3");
+  EXPECT_EQ(tally[any_property].cases, 4U);
+  EXPECT_EQ(tally[any_property].violations, 3U);
 }
 
 TEST(Tally, KeepsTheLargestRatio) {
   Tally tally;
-  EXPECT_LT(tally[any].worst_ratio, 0);
-  for (const double ratio : {no_ratio, 0.5, 2.0, 1.0}) record(tally, {any, true, 1, ratio});
-  EXPECT_EQ(tally[any].worst_ratio, 2);
+  EXPECT_LT(tally[any_property].worst_ratio, 0);
+  for (const double ratio : {no_ratio, 0.5, 2.0, 1.0})
+    record(tally, {any_property, true, 1, ratio});
+  EXPECT_EQ(tally[any_property].worst_ratio, 2);
 }
 
 TEST(RatioOf, IsTheQuotient) {

@@ -102,7 +102,7 @@ std::vector<Tightness> committed() {
 }
 
 /// One unit of the last digit may be rounding; 1 % less is a reason to commit the new table.
-void compare(const char* what, double measured, double expected) {
+void expect_tightness(const char* what, double measured, double expected) {
   EXPECT_LE(measured, expected + 0.0015) << what << ": the bounds became looser";
   EXPECT_GE(measured, 0.99 * expected - 0.0015)
       << what << ": tighter; commit the table with LIGHTCUTS_WRITE_TIGHTNESS=1";
@@ -122,8 +122,8 @@ TEST(Tightness, IsThatOfTheCommittedTable) {
     SCOPED_TRACE(table[i].scene);
     EXPECT_EQ(table[i].scene, expected[i].scene);
     EXPECT_EQ(table[i].cases, expected[i].cases);
-    compare("median", table[i].median, expected[i].median);
-    compare("95th percentile", table[i].p95, expected[i].p95);
+    expect_tightness("median", table[i].median, expected[i].median);
+    expect_tightness("95th percentile", table[i].p95, expected[i].p95);
   }
 }
 

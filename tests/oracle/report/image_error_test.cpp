@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tests/support/float_limits.h>
+
 namespace lightcuts::oracle {
 namespace {
 
@@ -20,7 +22,7 @@ Rendering rendering(const std::vector<glm::vec3>& radiance) {
   return r;
 }
 
-const Rendering reference = rendering({{1, 1, 2}, {0, 0, 0}, {2, 2, 4}, {0, 0, 0}});
+const Rendering reference_picture = rendering({{1, 1, 2}, {0, 0, 0}, {2, 2, 4}, {0, 0, 0}});
 
 Rendering picture() {
   // Off by 1 of 4, by 0 of 0, by 0.25 of 8.
@@ -30,7 +32,7 @@ Rendering picture() {
 }
 
 TEST(ImageError, IsZeroForTheReferenceItself) {
-  const ImageError e = compare(reference, reference, 0, 0);
+  const ImageError e = compare(reference_picture, reference_picture, 0, 0);
   EXPECT_EQ(e.mean, 0);
   EXPECT_EQ(e.max, 0);
   EXPECT_EQ(e.rel_rmse, 0);
@@ -40,7 +42,7 @@ TEST(ImageError, IsZeroForTheReferenceItself) {
 }
 
 TEST(ImageError, IsThatWorkedOutByHand) {
-  const ImageError e = compare(picture(), reference, 0.1, 0);
+  const ImageError e = compare(picture(), reference_picture, 0.1, 0);
   EXPECT_DOUBLE_EQ(e.mean, (0.25 + 0 + 0.03125) / 3);
   EXPECT_DOUBLE_EQ(e.max, 0.25);
   EXPECT_DOUBLE_EQ(e.mean_certified, (0.75 + 0 + 0.25) / 3);
@@ -52,23 +54,23 @@ TEST(ImageError, IsThatWorkedOutByHand) {
 }
 
 TEST(ImageError, CountsPixelsOverTheThresholdOnly) {
-  EXPECT_EQ(compare(picture(), reference, 0.25, 0).pixels_over_threshold, 0U);
-  EXPECT_EQ(compare(picture(), reference, 0.03125, 0).pixels_over_threshold, 1U);
-  EXPECT_EQ(compare(picture(), reference, 0.03, 0).pixels_over_threshold, 2U);
-  EXPECT_EQ(compare(picture(), reference, 0, 0).pixels_over_threshold, 2U);
+  EXPECT_EQ(compare(picture(), reference_picture, 0.25, 0).pixels_over_threshold, 0U);
+  EXPECT_EQ(compare(picture(), reference_picture, 0.03125, 0).pixels_over_threshold, 1U);
+  EXPECT_EQ(compare(picture(), reference_picture, 0.03, 0).pixels_over_threshold, 2U);
+  EXPECT_EQ(compare(picture(), reference_picture, 0, 0).pixels_over_threshold, 2U);
 }
 
 // The first pixel's 1 is relative to 3 * 2 instead of 4, the third's 0.25 still to 8.
 TEST(ImageError, IsRelativeToTheBlackLevelAtLeast) {
-  const ImageError e = compare(picture(), reference, 0.1, 2);
+  const ImageError e = compare(picture(), reference_picture, 0.1, 2);
   EXPECT_DOUBLE_EQ(e.mean, (1.0 / 6 + 0 + 0.03125) / 3);
   EXPECT_DOUBLE_EQ(e.mean_certified, (0.5 + 0 + 0.25) / 3);
 }
 
 TEST(ImageError, OfLightWhereThereShouldBeNoneIsInfinite) {
   const Rendering wrong = rendering({{1, 1, 2}, {1, 0, 0}, {2, 2, 4}, {0, 0, 0}});
-  EXPECT_EQ(compare(wrong, reference, 0.1, 0).max, std::numeric_limits<double>::infinity());
-  EXPECT_DOUBLE_EQ(compare(wrong, reference, 0.1, 0.5).max, 1 / 1.5);
+  EXPECT_EQ(compare(wrong, reference_picture, 0.1, 0).max, std::numeric_limits<double>::infinity());
+  EXPECT_DOUBLE_EQ(compare(wrong, reference_picture, 0.1, 0.5).max, 1 / 1.5);
 }
 
 TEST(ImageError, OfAnEmptyPictureIsZero) {
@@ -90,11 +92,10 @@ TEST(ImageError, OfABlackReferenceHasNoNan) {
 TEST(RelativeErrors, AreThoseOfEachPixel) {
   Rendering p = picture();
   p.radiance[3] = glm::vec3(0); // as render() leaves it
-  EXPECT_EQ(relative_errors(p, reference, 0), (std::vector<float>{0.25F, 0, 0.03125F, 0}));
+  EXPECT_EQ(relative_errors(p, reference_picture, 0), (std::vector<float>{0.25F, 0, 0.03125F, 0}));
 }
 
 TEST(ImageError, OfTwoSaturatedPixelsIsZeroAndOfOneInfinite) {
-  constexpr float inf = std::numeric_limits<float>::infinity();
   const Rendering saturated = rendering({{inf, 1, 1}, {1, 1, 1}, {1, 1, 1}, {0, 0, 0}});
   const Rendering one = rendering({{5, 1, 1}, {1, 1, 1}, {1, 1, 1}, {0, 0, 0}});
   const ImageError same = compare(saturated, saturated, 0.1, 0);

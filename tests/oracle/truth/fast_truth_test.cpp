@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <iostream>
-#include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,12 +12,11 @@
 #include <lightcuts/core/jobs/seconds_since.h>
 #include <lightcuts/core/kernels/contribution_bound.h>
 #include <tests/oracle/support/judged_point.h>
+#include <tests/support/float_limits.h>
 #include <tests/support/generators.h>
 
 namespace lightcuts::oracle {
 namespace {
-
-constexpr float inf = std::numeric_limits<float>::infinity();
 
 std::vector<glm::vec3> bounds_of(const LightTree& tree, const ShadingPoint& point) {
   std::vector<glm::vec3> bounds(tree.nodes().size());

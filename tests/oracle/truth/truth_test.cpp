@@ -8,12 +8,11 @@
 #include <rapidcheck/gtest.h>
 
 #include <tests/oracle/support/judged_point.h>
+#include <tests/support/float_limits.h>
 #include <tests/support/generators.h>
 
 namespace lightcuts::oracle {
 namespace {
-
-constexpr float inf = std::numeric_limits<float>::infinity();
 
 Light omni(const glm::vec3& position, const glm::vec3& intensity) {
   return {.position = position, .intensity = intensity};

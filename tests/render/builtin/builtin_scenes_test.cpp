@@ -157,19 +157,19 @@ TEST(DeskScene, has_a_light_a_centimetre_in_front_of_each_cell_of_the_screen) {
 }
 
 TEST(DeskScene, has_a_red_diagonal_where_asked) {
-  const Scene white = make_builtin("desk"), red = make_builtin("desk-red");
-  ASSERT_EQ(red.lights.size(), white.lights.size());
+  const Scene desk = make_builtin("desk"), red_desk = make_builtin("desk-red");
+  ASSERT_EQ(red_desk.lights.size(), desk.lights.size());
   int reds = 0;
-  for (std::size_t i = 0; i < red.lights.size(); ++i) {
-    EXPECT_EQ(red.lights[i].position, white.lights[i].position);
-    EXPECT_EQ(red.lights[i].intensity.r, white.lights[i].intensity.r);
-    const bool is_red = red.lights[i].intensity.g == 0 && red.lights[i].intensity.b == 0;
-    EXPECT_TRUE(is_red || red.lights[i].intensity == white.lights[i].intensity);
+  for (std::size_t i = 0; i < red_desk.lights.size(); ++i) {
+    EXPECT_EQ(red_desk.lights[i].position, desk.lights[i].position);
+    EXPECT_EQ(red_desk.lights[i].intensity.r, desk.lights[i].intensity.r);
+    const bool is_red = red_desk.lights[i].intensity.g == 0 && red_desk.lights[i].intensity.b == 0;
+    EXPECT_TRUE(is_red || red_desk.lights[i].intensity == desk.lights[i].intensity);
     reds += is_red;
   }
   EXPECT_EQ(reds, 24); // one per column
-  EXPECT_EQ(red.lights[0].intensity.g, 0);
-  EXPECT_EQ(red.lights[215].intensity.g, 0);
+  EXPECT_EQ(red_desk.lights[0].intensity.g, 0);
+  EXPECT_EQ(red_desk.lights[215].intensity.g, 0);
 }
 
 TEST(BedroomScene, is_furnished_and_lit_by_100_coloured_lights) {

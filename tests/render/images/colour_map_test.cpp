@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,12 +12,10 @@
 #include <lightcuts/core/input_error.h>
 
 #include <tests/render/support/temporary_folder.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts {
 namespace {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 struct Picture {
   int width = 0, height = 0;
@@ -53,7 +50,7 @@ TEST(HeatColour, differs_from_map_to_map) {
 
 TEST(Srgb8, encodes_and_clamps) {
   EXPECT_EQ(srgb8(glm::vec3(0, 0.5F, 1)), Rgb8(0, 188, 255));
-  EXPECT_EQ(srgb8({-infinity, nan, infinity}), Rgb8(0, 0, 255));
+  EXPECT_EQ(srgb8({-inf, nan, inf}), Rgb8(0, 0, 255));
   EXPECT_EQ(srgb8({0.0031308F, 1e-45F, 0.214F}), Rgb8(10, 0, 127));
 }
 
@@ -96,8 +93,8 @@ TEST(HeatColour, is_sRGB) {
 
 TEST(HeatColour, marks_what_is_not_a_number) {
   EXPECT_EQ(heat_colour(nan, {}), nan_colour);
-  EXPECT_EQ(heat_colour(infinity, {}), infinity_colour);
-  EXPECT_EQ(heat_colour(-infinity, {}), negative_infinity_colour);
+  EXPECT_EQ(heat_colour(inf, {}), infinity_colour);
+  EXPECT_EQ(heat_colour(-inf, {}), negative_infinity_colour);
 }
 
 TEST(HeatMap, shows_each_value_and_a_legend_below) {
@@ -105,7 +102,7 @@ TEST(HeatMap, shows_each_value_and_a_legend_below) {
   std::vector<float> values(300 * 20);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i % 300);
   values[300] = nan;
-  values[301] = infinity;
+  values[301] = inf;
   const HeatMapScale scale{1, 299, true};
   write_heat_map(home.path / "a.png", {300, 20}, values, scale);
   const Picture picture = read_png(home.path / "a.png");
@@ -135,7 +132,7 @@ TEST(HeatMap, refuses_a_scale_that_is_none_and_a_file_that_cannot_be) {
   const TemporaryFolder home;
   const auto file = home.path / "a.png";
   for (const HeatMapScale& scale :
-       {HeatMapScale{1, 0, false}, {nan, 1, false}, {0, infinity, false}, {0, 1, true}})
+       {HeatMapScale{1, 0, false}, {nan, 1, false}, {0, inf, false}, {0, 1, true}})
     EXPECT_THROW(write_heat_map(file, {1, 1}, values, scale), InputError);
   EXPECT_THROW(write_heat_map("/dev/null/a.png", {1, 1}, values, {}), InputError);
 }

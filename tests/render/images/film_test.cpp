@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <random>
 
 #include <OpenImageIO/imageio.h>
@@ -12,12 +11,10 @@
 #include <lightcuts/core/input_error.h>
 
 #include <tests/render/support/temporary_folder.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts {
 namespace {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 // Every bit pattern is as likely: NaNs with payloads, infinities, subnormals.
 Film random_film(std::uint32_t seed) {
@@ -27,8 +24,8 @@ Film random_film(std::uint32_t seed) {
     for (float& value : film.channel(name))
       value = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
   film.channel("cut.size")[0] = nan;
-  film.channel("cut.size")[1] = infinity;
-  film.channel("cut.size")[2] = -infinity;
+  film.channel("cut.size")[1] = inf;
+  film.channel("cut.size")[2] = -inf;
   film.channel("cut.size")[3] = -0.0F;
   film.metadata = {{"scene", "box"}, {"seed", "42"}, {"threshold", "0.02"}, {"version", "0.1.0"}};
   return film;
@@ -112,7 +109,7 @@ TEST(Exr, names_the_file_it_cannot_read_or_write) {
 TEST(Png, exposes_clamps_and_encodes) {
   const TemporaryFolder home;
   const std::vector<glm::vec3> pixels{
-      {0, 0.107F, 0.5F}, {infinity, -1, 2}, {nan, 0, 0}, {0.25F, 0.25F, 0.25F}};
+      {0, 0.107F, 0.5F}, {inf, -1, 2}, {nan, 0, 0}, {0.25F, 0.25F, 0.25F}};
   write_png(home.path / "a.png", {2, 2}, pixels, 2);
   // sRGB: 0.214 -> 127, 0.5 -> 188.
   EXPECT_EQ(png_pixels(home.path / "a.png"),
@@ -132,7 +129,7 @@ TEST(AutomaticExposure, is_not_moved_by_black_or_broken_pixels) {
   for (int i = 0; i < 20; ++i) pixels[i] = glm::vec3(1e30F);
   pixels.insert(pixels.end(), 5000, glm::vec3(0));
   pixels.insert(pixels.end(), 500, glm::vec3(nan, 1, 1));
-  pixels.insert(pixels.end(), 500, glm::vec3(1, infinity, 1));
+  pixels.insert(pixels.end(), 500, glm::vec3(1, inf, 1));
   EXPECT_EQ(automatic_exposure(pixels), plain);
 }
 

@@ -2,7 +2,6 @@
 #include <lightcuts/render/io/open_scene.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 #include <tests/render/support/gltf_file.h>
 #include <tests/render/support/refusal.h>
 #include <tests/render/support/temporary_folder.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts {
 namespace {
@@ -106,7 +106,6 @@ TEST(Validate, refuses_broken_scenes) {
     change(scene);
     expect_refusal("test: " + part, [&] { validate(scene); });
   };
-  const float nan = std::nanf(""), inf = std::numeric_limits<float>::infinity();
   refuses("no triangles", [](Scene& s) { s.mesh.triangles.clear(); });
   refuses("2 normals for 3 positions", [](Scene& s) { s.mesh.normals.pop_back(); });
   refuses("0 surface indices for 1 triangles", [](Scene& s) { s.mesh.surface.clear(); });

@@ -2,8 +2,8 @@
 #include <lightcuts/render/lighting/area_lights.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ namespace {
 using test::add_quad;
 using test::add_surface;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// A floor that does not emit, and three lamps of different size, colour and attitude.
 Scene lamps() {

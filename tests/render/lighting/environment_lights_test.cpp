@@ -2,7 +2,7 @@
 #include <lightcuts/render/lighting/environment_lights.h>
 
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@
 namespace lightcuts {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 EnvironmentMap grey_map(glm::uvec2 size, float radiance) {
   return {

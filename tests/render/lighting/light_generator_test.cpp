@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include <tests/render/support/refusal.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts {
 namespace {
@@ -117,7 +117,6 @@ TEST(LightGenerator, refuses_what_leaves_the_domain) {
     change(cloud);
     expect_refusal(part, [&] { lights_of(cloud); });
   };
-  const float nan = std::nanf(""), inf = std::numeric_limits<float>::infinity();
   refuses("light cloud: count is 0", [](auto& c) { c.count = 0; });
   refuses("count is 4294967295", [](auto& c) { c.count = 4294967295U; });
   refuses("lo.y is nan", [&](auto& c) { c.lo.y = nan; });

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ using test::lit_room;
 using test::oriented_power;
 using test::room_size;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 Scene with_surfels(Scene scene, const Surfels& config) {
   add_surfels(scene, config);
   return scene;

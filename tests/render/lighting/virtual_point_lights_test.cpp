@@ -2,7 +2,7 @@
 #include <lightcuts/render/lighting/virtual_point_lights.h>
 
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ using test::lit_room;
 using test::oriented_power;
 using test::room_size;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 Scene traced(Scene scene, const VirtualPointLights& config) {
   add_virtual_point_lights(scene, config);
   return scene;
@@ -193,11 +193,11 @@ TEST(VirtualPointLights, start_from_all_lights_in_proportion_to_their_power) {
   scene.lights.add_omni({1, 1, 1}, glm::vec3(0)); // black
   scene.lights.add_omni({1, 1, 1}, {0, 0, 1});
   scene = traced(scene, {.paths = 4000, .bounces = 1});
-  int red = 0, blue = 0;
+  int red_lights = 0, blue_lights = 0;
   for (std::size_t i = 3; i < scene.lights.size(); ++i)
-    ++(scene.lights[i].intensity.r > 0 ? red : blue);
-  EXPECT_EQ(red, 3000);
-  EXPECT_EQ(blue, 1000);
+    ++(scene.lights[i].intensity.r > 0 ? red_lights : blue_lights);
+  EXPECT_EQ(red_lights, 3000);
+  EXPECT_EQ(blue_lights, 1000);
 }
 
 TEST(VirtualPointLights, take_the_reflectance_from_the_texture) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <tests/render/support/refusal.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts {
 namespace {
@@ -89,13 +90,12 @@ TEST(Texture, IsOneColourWhereItIsOneTexel) {
 
 TEST(Texture, ClampsWhatIsNegativeOrNotFinite) {
   constexpr float largest = std::numeric_limits<float>::max();
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  const Texture texture({4, 1}, {{-1, 2, 3}, {1, std::nanf(""), 3}, {1, 2, infinity}, {1, 2, 3}});
+  const Texture texture({4, 1}, {{-1, 2, 3}, {1, std::nanf(""), 3}, {1, 2, inf}, {1, 2, 3}});
   EXPECT_EQ(texture.clamped(), 3U);
   EXPECT_EQ(texture.at({0.125, 0.5}), glm::vec3(0, 2, 3));
   EXPECT_EQ(texture.at({0.375, 0.5}), glm::vec3(1, 0, 3));
   EXPECT_EQ(texture.at({0.625, 0.5}), glm::vec3(1, 2, largest));
-  const Texture bright({2, 1}, {glm::vec3(infinity), glm::vec3(infinity)});
+  const Texture bright({2, 1}, {glm::vec3(inf), glm::vec3(inf)});
   for (int i = 0; i < 100; ++i) EXPECT_LE(bright.at({i / 97.0, 0.5}).x, largest);
 }
 

@@ -5,6 +5,7 @@
 #include <lightcuts/render/images/film.h>
 
 #include <tests/render/support/temporary_folder.h>
+#include <tests/support/float_limits.h>
 #include <tests/viz/support/gui_robot.h>
 #include <viz/model/layers/all_layers.h>
 
@@ -172,9 +173,8 @@ TEST(GuiHabits, TreeZoomsAtTheCursor) {
 }
 
 TEST(GuiHabits, NaNsAndInfinitiesAreCounted) {
-  const float infinity = std::numeric_limits<float>::infinity();
   LayerValues layer{.size = {2, 2},
-                    .values = {1, infinity, std::nanf(""), 2},
+                    .values = {1, inf, std::nanf(""), 2},
                     .known = {1, 1, 1, 1},
                     .own = {1, 1, 1, 1},
                     .surface = {1, 1, 1, 1}};

@@ -18,10 +18,6 @@ inline void settle(Workbench& bench) {
   }));
 }
 
-inline SceneRequest small_request() {
-  return {.spec = small_spec, .image_size = glm::uvec2(32, 24)};
-}
-
 /// With the small scene and always cuts.
 struct SmallWorkbench : Workbench {
   SmallWorkbench() {

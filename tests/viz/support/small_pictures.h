@@ -16,6 +16,10 @@ namespace lightcuts::viz {
 /// A room with three blocks and 200 lights.
 inline const char* const small_spec = "cloud?lights=200&blocks=3";
 
+inline SceneRequest small_request() {
+  return {.spec = small_spec, .image_size = glm::uvec2(32, 24)};
+}
+
 inline std::shared_ptr<const OpenedScene> opened(const std::string& spec, glm::uvec2 size) {
   SceneRequest request;
   request.spec = spec;

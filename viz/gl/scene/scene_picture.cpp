@@ -16,7 +16,7 @@ namespace lightcuts::viz {
 namespace {
 
 /// What is nearer than this share of the farthest distance is not drawn.
-constexpr double nearest_share = 1e-5;
+constexpr double near_plane_share = 1e-5;
 /// Of the faces through which one looks into a room.
 constexpr float faint = 0.08F;
 /// From here on, lights are small and let others shine through.
@@ -83,7 +83,7 @@ void ScenePicture::draw(const OrbitCamera& camera, glm::uvec2 size, const Config
 PaintView ScenePicture::paint_view(const OrbitCamera& camera, glm::uvec2 size) const {
   const ViewFrame frame = camera.frame(size);
   const double far = std::max(reach(frame.origin, bounds_), camera.distance);
-  const double near = nearest_share * far;
+  const double near = near_plane_share * far;
   return {clip_from_offset(frame, near),
           glm::vec3(frame.origin - mesh_.anchor()),
           glm::vec2(size),

@@ -14,11 +14,11 @@
 namespace lightcuts::viz {
 namespace {
 
-constexpr float thin = 1, thick = 3;  // lines, pixels
-constexpr float small = 4, large = 9; // points, pixels
-constexpr float arrow_length = 0.05F; // of the scene's diagonal
-constexpr double decades = 1e4;       // that colours tell apart
-constexpr float darkest = 0.25F;      // of the map, seen on dark ground
+constexpr float thin = 1, thick = 3;          // lines, pixels
+constexpr float small_dot = 4, large_dot = 9; // points, pixels
+constexpr float arrow_length = 0.05F;         // of the scene's diagonal
+constexpr double decades = 1e4;               // that colours tell apart
+constexpr float darkest = 0.25F;              // of the map, seen on dark ground
 
 glm::vec3 corner(const Box& box, int i) {
   return {(i & 1) != 0 ? box.hi.x : box.lo.x, (i & 2) != 0 ? box.hi.y : box.lo.y,
@@ -52,7 +52,7 @@ void add_representative(const glm::vec3& from, const ClusterRow& row, bool selec
   if (selected) colour.a = 255;
   out.lines.push_back({from, to, colour, selected ? thick : thin});
   colour.a = 255;
-  out.points.push_back({to, selected ? selected_colour : colour, selected ? large : small});
+  out.points.push_back({to, selected ? selected_colour : colour, selected ? large_dot : small_dot});
 }
 
 bool has_extent(const ClusterRow& row) { return row.has_box && row.box.lo != row.box.hi; }
@@ -128,7 +128,7 @@ Overlay overlay_of(const glm::vec3& position, const glm::vec3& normal,
       if (row.node != options.selected) add_representative(position, row, false, out);
   if (normal != glm::vec3(0))
     add_arrow(position, arrow_length * options.scene_diagonal * normal, out);
-  out.points.push_back({position, normal_colour, large});
+  out.points.push_back({position, normal_colour, large_dot});
   for (const ClusterRow& row : rows) {
     if (row.node != options.selected) continue;
     if (has_extent(row)) add_box(row.box, selected_colour, thick, out);

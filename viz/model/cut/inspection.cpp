@@ -179,7 +179,7 @@ CutCluster cluster_of(const Place& place, oracle::SubjectTree& tree, std::uint32
   return cluster;
 }
 
-double sum(const glm::dvec3& v) { return v.x + v.y + v.z; }
+double channel_sum(const glm::dvec3& v) { return v.x + v.y + v.z; }
 
 /// What is true at the place, of all clusters.
 struct PlaceTruth {
@@ -242,10 +242,10 @@ RefinementCurve refinement_curve(const InspectionKey& key, std::size_t most,
     before = size;
     const Cut cut = place.cut(*tree, size);
     double largest = 0;
-    for (const CutCluster& c : cut.clusters) largest = std::max(largest, sum(c.bound));
+    for (const CutCluster& c : cut.clusters) largest = std::max(largest, channel_sum(c.bound));
     curve.size.push_back(double(cut.clusters.size()));
-    curve.total.push_back(sum(total_of(cut)));
-    curve.certified.push_back(sum(cut.certified_error));
+    curve.total.push_back(channel_sum(total_of(cut)));
+    curve.certified.push_back(channel_sum(cut.certified_error));
     curve.largest_bound.push_back(largest);
   }
   return curve;

@@ -17,7 +17,7 @@
 namespace lightcuts::viz {
 namespace {
 
-constexpr const char* schema = "lightcuts-viz/settings/1";
+constexpr const char* settings_schema = "lightcuts-viz/settings/1";
 
 std::filesystem::path file_in(const std::filesystem::path& folder) {
   return folder / "settings.json";
@@ -58,7 +58,7 @@ AppSettings load_settings(const std::filesystem::path& folder, std::string& prob
   if (!std::filesystem::exists(file)) return {};
   try {
     AppSettings settings;
-    oracle::read_record_file(file.string(), read_file(file), schema, settings,
+    oracle::read_record_file(file.string(), read_file(file), settings_schema, settings,
                              [](const JsonElement& /*root*/) {});
     return settings;
   } catch (const std::exception& error) {
@@ -74,7 +74,7 @@ void save_settings(const AppSettings& s, const std::filesystem::path& folder) {
   if (error)
     throw InputError(InputFault::unwritable_file, folder.string() + ": " + error.message());
   write_file_atomically(file_in(folder),
-                        oracle::record_file(schema, usable(s), oracle::Floats::decimal));
+                        oracle::record_file(settings_schema, usable(s), oracle::Floats::decimal));
 }
 
 } // namespace lightcuts::viz

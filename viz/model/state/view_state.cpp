@@ -12,7 +12,7 @@
 namespace lightcuts::viz {
 namespace {
 
-constexpr const char* schema = "lightcuts-viz/view/2";
+constexpr const char* view_schema = "lightcuts-viz/view/2";
 
 // What a view demands beyond the domains of its fields.
 
@@ -28,12 +28,12 @@ void require_range(const JsonElement& root, const ColourSettings& c) {
 } // namespace
 
 std::string view_state_json(const ViewState& state) {
-  return oracle::record_file(schema, state, oracle::Floats::decimal);
+  return oracle::record_file(view_schema, state, oracle::Floats::decimal);
 }
 
 ViewState read_view_state(const std::string& name, const std::string& text) {
   ViewState state;
-  oracle::read_record_file(name, text, schema, state, [&state](const JsonElement& root) {
+  oracle::read_record_file(name, text, view_schema, state, [&state](const JsonElement& root) {
     if (state.open.spec.empty()) root["scene"].refuse(InputFault::missing, "is empty");
     require_range(root, state.colours);
     if (state.camera) oracle::require_camera(root["camera"], *state.camera);

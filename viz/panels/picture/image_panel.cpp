@@ -23,7 +23,7 @@ constexpr double zoom_for_values = 44;
 /// Time that a rasterised picture may take of a frame of the window, milliseconds.
 constexpr double raster_budget = 6, raster_budget_moving = 12;
 
-constexpr double radians_per_pixel = 0.006;
+constexpr double camera_radians_per_pixel = 0.006;
 
 bool is_dragged(ImGuiMouseButton button) {
   return ImGui::IsItemActive() && ImGui::IsMouseDragging(button, 3);
@@ -176,7 +176,8 @@ void ImagePanel::move_camera(Workbench& workbench) {
     moving_ = OrbitCamera::from_camera(camera, camera.target);
   }
   if (orbits)
-    moving_->orbit(-radians_per_pixel * io.MouseDelta.x, radians_per_pixel * io.MouseDelta.y);
+    moving_->orbit(-camera_radians_per_pixel * io.MouseDelta.x,
+                   camera_radians_per_pixel * io.MouseDelta.y);
   if (pans) moving_->pan(to_dvec(io.MouseDelta), glm::uvec2(area_.size));
   if (dollies) moving_->dolly(std::pow(0.9, io.MouseWheel));
   const Camera camera = moving_->to_camera();

@@ -14,8 +14,8 @@
 namespace lightcuts::viz {
 namespace {
 
-constexpr ImU32 ground = IM_COL32(22, 24, 28, 255), frame = IM_COL32(140, 144, 150, 255);
-constexpr ImU32 grid = IM_COL32(255, 255, 255, 22), text = IM_COL32(200, 203, 208, 255);
+constexpr ImU32 plot_ground = IM_COL32(22, 24, 28, 255), frame = IM_COL32(140, 144, 150, 255);
+constexpr ImU32 grid = IM_COL32(255, 255, 255, 22), text_colour = IM_COL32(200, 203, 208, 255);
 constexpr float gap = 5; // between text and what it belongs to, pixels
 
 /// Colours that the colour-blind can tell apart. See Okabe and Ito, "Color Universal Design".
@@ -68,7 +68,7 @@ struct Axis {
   }
 };
 
-struct Canvas {
+struct PlotCanvas {
   ImDrawList* draw;
   ImVec2 lo, hi; ///< of the area within the axes, pixels
   Axis x, y;
@@ -109,8 +109,8 @@ void include(const PlotSeries& s, Axis& x, Axis& y) {
   y.include(y.logarithmic ? y.lo / 2 : 0);
 }
 
-Canvas canvas_of(const Plot& plot, ImVec2 origin, ImVec2 size) {
-  Canvas c{ImGui::GetWindowDrawList(), {}, {}, {plot.x_logarithmic}, {plot.y_logarithmic}};
+PlotCanvas canvas_of(const Plot& plot, ImVec2 origin, ImVec2 size) {
+  PlotCanvas c{ImGui::GetWindowDrawList(), {}, {}, {plot.x_logarithmic}, {plot.y_logarithmic}};
   bool bars = false;
   for (const PlotSeries& s : plot.series) {
     include(s, c.x, c.y);
@@ -126,12 +126,12 @@ Canvas canvas_of(const Plot& plot, ImVec2 origin, ImVec2 size) {
   return c;
 }
 
-void draw_text(const Canvas& c, ImVec2 at, const std::string& what, float align_x) {
+void draw_text(const PlotCanvas& c, ImVec2 at, const std::string& what, float align_x) {
   const float width = ImGui::CalcTextSize(what.c_str()).x;
-  c.draw->AddText({at.x - align_x * width, at.y}, text, what.c_str());
+  c.draw->AddText({at.x - align_x * width, at.y}, text_colour, what.c_str());
 }
 
-void draw_axes(const Plot& plot, const Canvas& c) {
+void draw_axes(const Plot& plot, const PlotCanvas& c) {
   const float line = ImGui::GetTextLineHeight();
   for (const double tick : c.x.ticks(70)) {
     const float x = c.x.pixel(tick);
@@ -153,7 +153,7 @@ ImVec2 span_of_bar(const PlotSeries& s, std::size_t i, const Axis& axis) {
   return {axis.pixel(border(s, i, axis)), axis.pixel(border(s, i + 1, axis))};
 }
 
-void draw_bar(const PlotSeries& s, std::size_t i, std::size_t index, const Canvas& c) {
+void draw_bar(const PlotSeries& s, std::size_t i, std::size_t index, const PlotCanvas& c) {
   if (!c.x.shows(s.x[i]) || !c.y.shows(s.y[i])) return;
   const ImVec2 span = span_of_bar(s, i, c.x);
   const float space = span.y - span.x > 4 ? 1.0F : 0.0F;
@@ -161,7 +161,7 @@ void draw_bar(const PlotSeries& s, std::size_t i, std::size_t index, const Canva
                         colour_of(index, 200));
 }
 
-void draw_value(const PlotSeries& s, std::size_t i, std::size_t index, const Canvas& c) {
+void draw_value(const PlotSeries& s, std::size_t i, std::size_t index, const PlotCanvas& c) {
   if (s.kind == PlotKind::bars) return draw_bar(s, i, index, c);
   if (!c.x.shows(s.x[i])) return;
   if (s.kind == PlotKind::vertical) {
@@ -178,7 +178,7 @@ void draw_value(const PlotSeries& s, std::size_t i, std::size_t index, const Can
 }
 
 /// Above the plot, from the right as far as there is room beside the label of y.
-void draw_legend(const Plot& plot, const Canvas& c) {
+void draw_legend(const Plot& plot, const PlotCanvas& c) {
   const float line = ImGui::GetTextLineHeight();
   const float y = c.lo.y - line - gap / 2;
   const float least = c.lo.x + ImGui::CalcTextSize(plot.y_label.c_str()).x + 2 * gap;
@@ -196,7 +196,7 @@ void draw_legend(const Plot& plot, const Canvas& c) {
 }
 
 /// Pixels from the mouse to a value.
-float distance(const PlotSeries& s, std::size_t i, const Canvas& c, ImVec2 mouse) {
+float distance(const PlotSeries& s, std::size_t i, const PlotCanvas& c, ImVec2 mouse) {
   if (!c.x.shows(s.x[i])) return INFINITY;
   const float dx = c.x.pixel(s.x[i]) - mouse.x;
   if (s.kind == PlotKind::vertical) return std::abs(dx) + 1; // a point on it comes first
@@ -209,7 +209,7 @@ float distance(const PlotSeries& s, std::size_t i, const Canvas& c, ImVec2 mouse
 }
 
 /// Series and value under the mouse.
-std::optional<std::pair<std::size_t, std::size_t>> nearest(const Plot& plot, const Canvas& c,
+std::optional<std::pair<std::size_t, std::size_t>> nearest(const Plot& plot, const PlotCanvas& c,
                                                            ImVec2 mouse) {
   std::optional<std::pair<std::size_t, std::size_t>> found;
   float least = 12; // pixels
@@ -222,13 +222,13 @@ std::optional<std::pair<std::size_t, std::size_t>> nearest(const Plot& plot, con
   return found;
 }
 
-void draw_tooltip(const Plot& plot, const Canvas& c) {
+void draw_tooltip(const Plot& plot, const PlotCanvas& c) {
   const auto found = nearest(plot, c, ImGui::GetIO().MousePos);
   if (!found) return;
   const auto [k, i] = *found;
   const PlotSeries& s = plot.series[k];
   const bool bars = s.kind == PlotKind::bars, has_y = s.kind != PlotKind::vertical;
-  if (has_y && !bars) c.draw->AddCircle(c.at(s.x[i], s.y[i]), 6, text, 0, 1.5F);
+  if (has_y && !bars) c.draw->AddCircle(c.at(s.x[i], s.y[i]), 6, text_colour, 0, 1.5F);
   std::string said = s.name;
   if (i < s.labels.size()) said += (said.empty() ? "" : "\n") + s.labels[i];
   const double x = bars ? border(s, i, c.x) : s.x[i];
@@ -266,8 +266,8 @@ bool draw_plot(const char* id, const Plot& plot, ImVec2 size) {
   const bool hovered = ImGui::IsItemHovered();
   if (!ImGui::IsItemVisible()) return false;
 
-  const Canvas c = canvas_of(plot, origin, size);
-  c.draw->AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, ground);
+  const PlotCanvas c = canvas_of(plot, origin, size);
+  c.draw->AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, plot_ground);
   draw_axes(plot, c);
   c.draw->PushClipRect(c.lo, c.hi, true);
   for (std::size_t k = 0; k < plot.series.size(); ++k)

@@ -16,7 +16,7 @@ namespace lightcuts::viz {
 namespace {
 
 constexpr float thresholds[] = {0.005F, 0.01F, 0.02F, 0.04F, 0.08F, 0.16F};
-constexpr std::uint32_t bins = 40;
+constexpr std::uint32_t histogram_bins = 40;
 
 /// Where a few cuts are far larger than the others, of those others.
 Histogram cut_size_histogram(const LayerValues& layer, const LayerStatistics& statistics) {
@@ -25,7 +25,7 @@ Histogram cut_size_histogram(const LayerValues& layer, const LayerStatistics& st
     if (layer.known[i] != 0 && layer.surface[i] != 0) values.push_back(layer.values[i]);
   if (statistics.known == 0) return histogram_of(values, {});
   const double most = std::max(automatic_scale(statistics, false).hi, statistics.least);
-  return histogram_of(values, whole_number_range(statistics.least, most, bins));
+  return histogram_of(values, whole_number_range(statistics.least, most, histogram_bins));
 }
 
 Plot cut_size_plot(const Histogram& histogram, const LayerStatistics& statistics) {

@@ -13,8 +13,8 @@ struct Box {
   glm::vec3 lo, hi;
 
   [[nodiscard]] static Box empty() {
-    constexpr float inf = std::numeric_limits<float>::infinity();
-    return {glm::vec3(inf), glm::vec3(-inf)};
+    const glm::vec3 infinity(std::numeric_limits<float>::infinity());
+    return {infinity, -infinity};
   }
   void extend(const glm::vec3& p) {
     lo = glm::min(lo, p);

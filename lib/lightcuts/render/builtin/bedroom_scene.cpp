@@ -9,7 +9,7 @@ namespace lightcuts {
 namespace {
 
 // Inner size of the room, metres: x to the right, z towards the viewer.
-constexpr float width = 4, height = 2.6F, depth = 4.2F;
+constexpr float bedroom_width = 4, bedroom_height = 2.6F, bedroom_depth = 4.2F;
 
 Material matt(float r, float g, float b) { return {{r, g, b}, {}}; }
 
@@ -20,20 +20,25 @@ Material shiny(float r, float g, float b, float shine, float exponent) {
 void add_walls(ShapeBuilder& shapes) {
   shapes.use("floor", shiny(0.50F, 0.36F, 0.24F, 0.15F, 40));
   for (int i = 0; i < 20; ++i) { // boards
-    const float x0 = width * static_cast<float>(i) / 20,
-                x1 = width * static_cast<float>(i + 1) / 20;
-    shapes.quad({x0, 0, depth}, {x1, 0, depth}, {x1, 0, 0}, {x0, 0, 0});
+    const float x0 = bedroom_width * static_cast<float>(i) / 20,
+                x1 = bedroom_width * static_cast<float>(i + 1) / 20;
+    shapes.quad({x0, 0, bedroom_depth}, {x1, 0, bedroom_depth}, {x1, 0, 0}, {x0, 0, 0});
   }
   shapes.use("wall", matt(0.72F, 0.70F, 0.64F));
-  shapes.quad({0, 0, 0}, {width, 0, 0}, {width, height, 0}, {0, height, 0});
-  shapes.quad({width, 0, depth}, {0, 0, depth}, {0, height, depth}, {width, height, depth});
-  shapes.quad({0, 0, depth}, {0, 0, 0}, {0, height, 0}, {0, height, depth});
-  shapes.quad({width, 0, 0}, {width, 0, depth}, {width, height, depth}, {width, height, 0});
+  shapes.quad({0, 0, 0}, {bedroom_width, 0, 0}, {bedroom_width, bedroom_height, 0},
+              {0, bedroom_height, 0});
+  shapes.quad({bedroom_width, 0, bedroom_depth}, {0, 0, bedroom_depth},
+              {0, bedroom_height, bedroom_depth}, {bedroom_width, bedroom_height, bedroom_depth});
+  shapes.quad({0, 0, bedroom_depth}, {0, 0, 0}, {0, bedroom_height, 0},
+              {0, bedroom_height, bedroom_depth});
+  shapes.quad({bedroom_width, 0, 0}, {bedroom_width, 0, bedroom_depth},
+              {bedroom_width, bedroom_height, bedroom_depth}, {bedroom_width, bedroom_height, 0});
   shapes.use("ceiling", matt(0.78F, 0.78F, 0.78F));
-  shapes.quad({0, height, 0}, {width, height, 0}, {width, height, depth}, {0, height, depth});
+  shapes.quad({0, bedroom_height, 0}, {bedroom_width, bedroom_height, 0},
+              {bedroom_width, bedroom_height, bedroom_depth}, {0, bedroom_height, bedroom_depth});
   shapes.use("skirting", matt(0.80F, 0.80F, 0.80F));
-  shapes.standing_box({0.001F, 0, 0.001F}, {width - 0.001F, 0.08F, 0.015F});
-  shapes.standing_box({0.001F, 0, 0.016F}, {0.015F, 0.08F, depth - 0.001F});
+  shapes.standing_box({0.001F, 0, 0.001F}, {bedroom_width - 0.001F, 0.08F, 0.015F});
+  shapes.standing_box({0.001F, 0, 0.016F}, {0.015F, 0.08F, bedroom_depth - 0.001F});
 }
 
 void add_window(ShapeBuilder& shapes) {

@@ -11,8 +11,8 @@
 namespace lightcuts {
 namespace {
 
-constexpr float width = 8, height = 4, depth = 8; // metres
-constexpr float tallest_block = 1.9F;             // lights hang above
+constexpr float cloud_width = 8, cloud_height = 4, cloud_depth = 8; // metres
+constexpr float tallest_block = 1.9F;                               // lights hang above
 
 Lobe phong(float reflectance) { return Phong{glm::vec3(reflectance), 50}; }
 Lobe ward(float reflectance) { return Ward{glm::vec3(reflectance), 0.15F}; }
@@ -21,22 +21,23 @@ Lobe ggx(float reflectance) { return CookTorrance{glm::vec3(0.2F * reflectance),
 /// The room's inner walls, of an open one those away from the camera: strictly convex, so nothing
 /// occludes.
 void add_room(ShapeBuilder& shapes, const CloudScene& parameters) {
-  const float w = width / 2, d = depth / 2;
+  const float w = cloud_width / 2, d = cloud_depth / 2;
   const bool closed = parameters.kind && !is_at_infinity(*parameters.kind);
   shapes.use("floor", {{0.55F, 0.52F, 0.48F}, parameters.gloss->lobe(0.3F)});
   shapes.quad({-w, 0, d}, {w, 0, d}, {w, 0, -d}, {-w, 0, -d});
   if (closed) {
     shapes.use("ceiling", {{0.75F, 0.75F, 0.75F}, {}});
-    shapes.quad({-w, height, -d}, {w, height, -d}, {w, height, d}, {-w, height, d});
+    shapes.quad({-w, cloud_height, -d}, {w, cloud_height, -d}, {w, cloud_height, d},
+                {-w, cloud_height, d});
   }
   shapes.use("front and back", {{0.70F, 0.70F, 0.66F}, {}});
-  shapes.quad({-w, 0, -d}, {w, 0, -d}, {w, height, -d}, {-w, height, -d});
-  if (closed) shapes.quad({w, 0, d}, {-w, 0, d}, {-w, height, d}, {w, height, d});
+  shapes.quad({-w, 0, -d}, {w, 0, -d}, {w, cloud_height, -d}, {-w, cloud_height, -d});
+  if (closed) shapes.quad({w, 0, d}, {-w, 0, d}, {-w, cloud_height, d}, {w, cloud_height, d});
   shapes.use("left", {{0.65F, 0.30F, 0.25F}, {}});
-  shapes.quad({-w, 0, d}, {-w, 0, -d}, {-w, height, -d}, {-w, height, d});
+  shapes.quad({-w, 0, d}, {-w, 0, -d}, {-w, cloud_height, -d}, {-w, cloud_height, d});
   if (!closed) return;
   shapes.use("right", {{0.28F, 0.42F, 0.62F}, {}});
-  shapes.quad({w, 0, -d}, {w, 0, d}, {w, height, d}, {w, height, -d});
+  shapes.quad({w, 0, -d}, {w, 0, d}, {w, cloud_height, d}, {w, cloud_height, -d});
 }
 
 /// A rotation that is uniform without sine or cosine: a point of the disc, normalised.

@@ -14,13 +14,10 @@
 
 #include <lightcuts/render/files/text.h>
 #include <lightcuts/render/scene/camera_fault.h>
+#include <lightcuts/render/scene/is_finite.h>
 
 namespace lightcuts {
 namespace {
-
-bool is_finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 void validate(const TriangleMesh& mesh, std::size_t surfaces) {
   if (mesh.triangles.empty()) throw InputError(InputFault::missing, "no triangles");

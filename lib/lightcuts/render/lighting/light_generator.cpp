@@ -16,7 +16,7 @@ namespace {
 // Irradiance of a total intensity I seen from a quarter of the diagonal d is 16 I/d^2; with a
 // reflectance of 0.6 that makes a radiance of about 3 I/d^2, less the cosine.
 constexpr double intensity_per_squared_diagonal = 0.3;
-constexpr float margin = 0.05F;
+constexpr float cloud_margin = 0.05F;
 
 [[noreturn]] void refuse(InputFault fault, const char* field, int axis, const char* axes,
                          float value, const char* why) {
@@ -82,9 +82,9 @@ LightCloud default_cloud(const TriangleMesh& mesh, std::uint32_t count, std::uin
   LightCloud cloud;
   cloud.count = count;
   cloud.seed = seed;
-  cloud.lo = box.lo + 2 * margin * extent;
+  cloud.lo = box.lo + 2 * cloud_margin * extent;
   cloud.lo.y = 0.5F * box.lo.y + 0.5F * box.hi.y;
-  cloud.hi = box.hi - 2 * margin * extent;
+  cloud.hi = box.hi - 2 * cloud_margin * extent;
   // Above a flat scene, not in it: lights in the plane of a surface do not light it.
   if (extent.y <= 1e-3 * diagonal)
     cloud.lo.y = cloud.hi.y = static_cast<float>(double(box.hi.y) + 0.25 * diagonal);

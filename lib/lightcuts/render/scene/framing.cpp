@@ -10,7 +10,7 @@
 namespace lightcuts {
 namespace {
 
-constexpr int grid = 8;                    // rays per side
+constexpr int rays_per_side = 8;
 constexpr std::size_t most_tested = 20000; // triangles; more are thinned out
 constexpr double preference = 1.5;         // how much deeper another view must see
 
@@ -66,9 +66,9 @@ double depth_seen(const TriangleMesh& mesh, const Box& box, const View& view) {
   const double diagonal = diagonal_length(box);
   double sum = 0;
   int entered = 0;
-  for (int i = 0; i < grid * grid; ++i) {
-    const int row = i / grid, column = i % grid;
-    const double x = (column + 0.5) / grid - 0.5, y = (row + 0.5) / grid - 0.5;
+  for (int i = 0; i < rays_per_side * rays_per_side; ++i) {
+    const int row = i / rays_per_side, column = i % rays_per_side;
+    const double x = (column + 0.5) / rays_per_side - 0.5, y = (row + 0.5) / rays_per_side - 0.5;
     const glm::dvec3 origin = centre + diagonal * (x * view.right + y * view.up - view.forward);
     const double start = entry(origin, view.forward, box);
     if (std::isinf(start)) continue;

@@ -12,9 +12,9 @@
 namespace lightcuts {
 namespace {
 
-constexpr float largest = std::numeric_limits<float>::max();
+constexpr float largest_float = std::numeric_limits<float>::max();
 
-float in_domain(float x) { return x > 0 ? std::min(x, largest) : 0.0F; }
+float in_domain(float x) { return x > 0 ? std::min(x, largest_float) : 0.0F; }
 
 /// A place between two texels along one axis.
 struct Neighbours {
@@ -75,7 +75,8 @@ glm::vec3 Texture::at(const glm::dvec2& uv, const TextureWrap& wrap) const {
     const std::size_t first = std::size_t{size_.y - 1 - from_below} * size_.x;
     return between(texels_[first + x.first], texels_[first + x.second], x.share);
   };
-  return glm::min(glm::vec3(between(row(y.first), row(y.second), y.share)), glm::vec3(largest));
+  return glm::min(glm::vec3(between(row(y.first), row(y.second), y.share)),
+                  glm::vec3(largest_float));
 }
 
 } // namespace lightcuts

@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <lightcuts/core/input_error.h>
+#include <lightcuts/render/scene/is_finite.h>
 
 namespace lightcuts {
 namespace {
@@ -18,10 +19,6 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 float largest_component(const glm::vec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-bool is_finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 // The power of two that scales v to a largest component in [1, 2); 1 for the zero vector.
@@ -65,17 +62,17 @@ RTCRay embree_ray(const glm::vec3& origin, const glm::vec3& direction, float far
   return ray;
 }
 
-struct Release {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
-};
-template <typename Handle>
-using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
-
 } // namespace
 
 struct Occluder::Embree {
+  struct Release {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+  };
+  template <typename Handle>
+  using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
+
   Owner<RTCDevice> device;
   Owner<RTCScene> scene;
   double scale = 1; // Embree's coordinates are ours times this power of two, in (-2, 2)
@@ -119,7 +116,7 @@ Occluder::Occluder(const TriangleMesh& mesh) : embree_(std::make_unique<Embree>(
   // Not high quality: its spatial splits clip triangles to rounded boxes, which may lose a hit.
   rtcSetSceneBuildQuality(embree_->scene.get(), RTC_BUILD_QUALITY_MEDIUM);
   if (!mesh.triangles.empty()) {
-    const Owner<RTCGeometry> geometry(
+    const Embree::Owner<RTCGeometry> geometry(
         rtcNewGeometry(embree_->device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
     embree_->check("making the geometry");
     embree_->fill(geometry.get(), mesh);

@@ -7,6 +7,7 @@
 
 #include <lightcuts/core/methods/paper.h>
 #include <tests/oracle/support/judged_point.h>
+#include <tests/support/float_limits.h>
 #include <tests/support/generators.h>
 
 namespace lightcuts::oracle {
@@ -16,7 +17,6 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr auto contribution_property = Property::bound_dominates_contribution;
 constexpr auto error_property = Property::bound_dominates_error;
 constexpr auto ordered = Property::bounds_are_ordered;

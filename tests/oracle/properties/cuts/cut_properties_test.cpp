@@ -7,6 +7,7 @@
 
 #include <tests/oracle/support/judged_point.h>
 #include <tests/support/cut_promises.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -16,13 +17,12 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
 
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr auto partitions = Property::cut_partitions_lights;
+constexpr auto cut_partitions = Property::cut_partitions_lights;
 constexpr auto obeys = Property::cut_obeys_threshold;
 constexpr auto certified = Property::certified_error_holds;
-constexpr auto exact = Property::zero_threshold_is_exact;
+constexpr auto exact_at_zero = Property::zero_threshold_is_exact;
 constexpr auto drift = Property::total_does_not_drift;
-constexpr auto finite = Property::results_are_finite;
+constexpr auto finite_cuts = Property::results_are_finite;
 
 /// The library's cut of the four lights at a point, for a test to spoil.
 struct CutToSpoil {
@@ -74,7 +74,7 @@ RC_GTEST_PROP(CutProperties, HoldForTheLibrary, ()) {
     judge.cuts(of, {&given.config, 1});
   });
   for (const Property p : all_properties) RC_ASSERT(tally[p].first_violation == "");
-  for (const Property p : {partitions, obeys, certified, drift, finite})
+  for (const Property p : {cut_partitions, obeys, certified, drift, finite_cuts})
     RC_ASSERT(tally[p].cases == 1U);
 }
 
@@ -87,7 +87,7 @@ TEST(CutProperties, ConvictALostLight) {
   CutToSpoil spoilt(all_lights);
   spoilt.clusters.pop_back();
   spoilt.sum_anew();
-  EXPECT_THAT(spoilt.violated(), ElementsAre(partitions, certified, exact));
+  EXPECT_THAT(spoilt.violated(), ElementsAre(cut_partitions, certified, exact_at_zero));
 }
 
 TEST(CutProperties, ConvictALostClusterEvenWhereItsLightIsCertified) {
@@ -95,20 +95,20 @@ TEST(CutProperties, ConvictALostClusterEvenWhereItsLightIsCertified) {
   spoilt.clusters.pop_back();
   spoilt.sum_anew();
   spoilt.cut.certified_error = glm::vec3(1e6F);
-  EXPECT_THAT(spoilt.violated(), Contains(partitions));
+  EXPECT_THAT(spoilt.violated(), Contains(cut_partitions));
 }
 
 TEST(CutProperties, ConvictNoClusterAtAll) {
   CutToSpoil spoilt(two_clusters);
   spoilt.clusters.clear();
-  EXPECT_THAT(spoilt.violated(), Contains(partitions));
+  EXPECT_THAT(spoilt.violated(), Contains(cut_partitions));
 }
 
 TEST(CutProperties, ConvictADoubledCluster) {
   CutToSpoil spoilt(all_lights);
   spoilt.clusters.push_back(spoilt.clusters.front());
   spoilt.sum_anew();
-  EXPECT_THAT(spoilt.violated(), ElementsAre(partitions, certified, exact));
+  EXPECT_THAT(spoilt.violated(), ElementsAre(cut_partitions, certified, exact_at_zero));
 }
 
 TEST(CutProperties, ConvictAClusterInsideAnother) {
@@ -116,7 +116,7 @@ TEST(CutProperties, ConvictAClusterInsideAnother) {
   ASSERT_EQ(spoilt.clusters.size(), 1U);
   spoilt.clusters.push_back({1, true, glm::dvec3(0), glm::vec3(0)});
   spoilt.config.max_size = 2;
-  EXPECT_THAT(spoilt.violated(), ElementsAre(partitions));
+  EXPECT_THAT(spoilt.violated(), ElementsAre(cut_partitions));
 }
 
 // To the nearest float is at most half an ulp, which the formula gives as 2^-24: up to one.
@@ -146,19 +146,19 @@ TEST(CutProperties, ConvictACertifiedErrorThatIsOneUlpTooSmall) {
 TEST(CutProperties, ConvictNumbersThatAreNone) {
   CutToSpoil radiance(two_clusters);
   radiance.cut.radiance.x = std::nanf("");
-  EXPECT_THAT(radiance.violated(), ElementsAre(certified, drift, finite));
+  EXPECT_THAT(radiance.violated(), ElementsAre(certified, drift, finite_cuts));
   CutToSpoil error(two_clusters);
   error.cut.certified_error.y = std::nanf("");
-  EXPECT_THAT(error.violated(), ElementsAre(certified, finite));
+  EXPECT_THAT(error.violated(), ElementsAre(certified, finite_cuts));
   CutToSpoil negative(two_clusters);
   negative.cut.certified_error.z = -1;
-  EXPECT_THAT(negative.violated(), ElementsAre(certified, finite));
+  EXPECT_THAT(negative.violated(), ElementsAre(certified, finite_cuts));
 }
 
 TEST(CutProperties, ConvictInfiniteRadiance) {
   CutToSpoil spoilt(two_clusters);
   spoilt.cut.radiance.x = inf;
-  EXPECT_THAT(spoilt.violated(), ElementsAre(certified, drift, finite));
+  EXPECT_THAT(spoilt.violated(), ElementsAre(certified, drift, finite_cuts));
   spoilt.cut.certified_error.x = inf;
   EXPECT_THAT(spoilt.violated(), ElementsAre(drift));
 }
@@ -224,16 +224,16 @@ TEST(CutProperties, AllowBoundsUpToTheBlackLevel) {
 TEST(CutProperties, ConvictAnInexactCutAtThresholdZero) {
   CutToSpoil spoilt({1.0F, 1000});
   spoilt.config.threshold = 0;
-  EXPECT_THAT(spoilt.violated(), ElementsAre(obeys, exact));
+  EXPECT_THAT(spoilt.violated(), ElementsAre(obeys, exact_at_zero));
 }
 
 // With a black level, or too small a size, nothing exact was asked for.
 TEST(CutProperties, AskForExactnessOnlyWhereItIsPromised) {
   CutToSpoil spoilt({1.0F, 1000});
   spoilt.config = {0, 1000, 1e6F};
-  EXPECT_THAT(spoilt.violated(), Not(Contains(exact)));
+  EXPECT_THAT(spoilt.violated(), Not(Contains(exact_at_zero)));
   spoilt.config = {0, 3, 0};
-  EXPECT_THAT(spoilt.violated(), Not(Contains(exact)));
+  EXPECT_THAT(spoilt.violated(), Not(Contains(exact_at_zero)));
 }
 
 // All clusters within the threshold, with no help of the black level.

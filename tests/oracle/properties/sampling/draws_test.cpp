@@ -29,7 +29,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr Parts parts = library_parts | only(Part::sampling) | only(Part::random_cuts);
+constexpr Parts sampled_parts = library_parts | only(Part::sampling) | only(Part::random_cuts);
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 using OwnTree = LibraryTree;
 using Visible = std::function<bool(std::uint32_t)>;
@@ -87,14 +87,16 @@ private:
 
 Tally probabilities_of(SubjectTree&& tree, const JudgedPoint& judged) {
   return judged_at(
-      tree, judged, [](const Judge& judge, const PointAnswers& of) { judge.odds(of); }, parts);
+      tree, judged, [](const Judge& judge, const PointAnswers& of) { judge.odds(of); },
+      sampled_parts);
 }
 
 Tally draws_of(SubjectTree& tree, const JudgedPoint& judged, const CutConfig& cut,
                const DrawConfig& config = {}) {
   return judged_at(
       tree, judged,
-      [&](const Judge& judge, const PointAnswers& of) { judge.draws(of, cut, config); }, parts);
+      [&](const Judge& judge, const PointAnswers& of) { judge.draws(of, cut, config); },
+      sampled_parts);
 }
 Tally draws_of(SubjectTree&& tree, const JudgedPoint& judged, const CutConfig& cut,
                const DrawConfig& config = {}) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <tests/oracle/support/uniform_sampling.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -13,8 +13,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-constexpr float inf = std::numeric_limits<float>::infinity();
 
 template <class Change>
 Tally judged_sampling(Change&& change, const ShadingPoint& point = diffuse_point()) {

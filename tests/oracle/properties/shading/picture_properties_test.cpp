@@ -17,7 +17,7 @@ using testing::IsEmpty;
 
 constexpr auto pixels = Property::pixels_equal_points;
 constexpr auto occlusion = Property::occlusion_equals_brute_force;
-constexpr auto finite = Property::results_are_finite;
+constexpr auto finite_pictures = Property::results_are_finite;
 
 /// A floor, and one light above it; the camera looks at both from above. With a roof the light is
 /// hidden from part of the floor.
@@ -59,7 +59,7 @@ public:
   }
 };
 
-Tally judged(const Subject& subject, const Case& on) {
+Tally judged_pictures(const Subject& subject, const Case& on) {
   Tally tally;
   Judge(subject.parts(), 0, tally).picture(subject, on);
   return tally;
@@ -67,10 +67,10 @@ Tally judged(const Subject& subject, const Case& on) {
 
 TEST(PictureProperties, HoldForTheLibrary) {
   for (const bool roof : {false, true}) {
-    const Tally tally = judged(*library_subject(), floor_case(roof));
+    const Tally tally = judged_pictures(*library_subject(), floor_case(roof));
     EXPECT_THAT(violated(tally), IsEmpty());
     EXPECT_EQ(tally[pixels].cases, 30U);
-    EXPECT_EQ(tally[finite].cases, 30U);
+    EXPECT_EQ(tally[finite_pictures].cases, 30U);
     EXPECT_GT(tally[occlusion].cases, 20U);
   }
 }
@@ -81,7 +81,7 @@ TEST(PictureProperties, HoldForTheLibraryInRandomCases) {
     const Case c = random_case(5, i);
     if (!c.triangles.empty()) Judge(library_parts, i, tally).picture(*library_subject(), c);
   }
-  for (const Property p : {pixels, finite, occlusion}) {
+  for (const Property p : {pixels, finite_pictures, occlusion}) {
     EXPECT_EQ(tally[p].first_violation, "") << info(p).name;
     EXPECT_GT(tally[p].cases, 1000U) << info(p).name;
   }
@@ -93,7 +93,7 @@ TEST(PictureProperties, ConvictOnePixelThatIsOneUlpOff) {
     float& green = picture.radiance[2 * 6 + 3].y;
     green = std::nextafter(green, 0.0F);
   };
-  const Tally tally = judged(subject, floor_case(false));
+  const Tally tally = judged_pictures(subject, floor_case(false));
   EXPECT_THAT(violated(tally), ElementsAre(pixels));
   EXPECT_EQ(tally[pixels].violations, 1U);
   EXPECT_THAT(tally[pixels].first_violation, HasSubstr("pixel (3, 2)"));
@@ -104,54 +104,54 @@ TEST(PictureProperties, ConvictAPictureThatIsUpsideDown) {
   subject.paint = [](Rendering& picture) {
     std::reverse(picture.radiance.begin(), picture.radiance.end());
   };
-  EXPECT_THAT(violated(judged(subject, floor_case(false))), ElementsAre(pixels));
+  EXPECT_THAT(violated(judged_pictures(subject, floor_case(false))), ElementsAre(pixels));
 }
 
 TEST(PictureProperties, ConvictLightWhereNothingIsSeen) {
   Painter subject;
   Case away = floor_case(false);
   away.camera.target = {0, 12, 1.5F};
-  EXPECT_THAT(violated(judged(subject, away)), IsEmpty());
+  EXPECT_THAT(violated(judged_pictures(subject, away)), IsEmpty());
   subject.paint = [](Rendering& picture) { picture.radiance.back().x = 1; };
-  EXPECT_THAT(violated(judged(subject, away)), ElementsAre(pixels));
+  EXPECT_THAT(violated(judged_pictures(subject, away)), ElementsAre(pixels));
 }
 
 TEST(PictureProperties, ConvictNumbersThatAreNone) {
   Painter subject;
   for (const float bad : {std::nanf(""), -1.0F}) {
     subject.paint = [bad](Rendering& picture) { picture.radiance[7].z = bad; };
-    const Tally tally = judged(subject, floor_case(false));
-    EXPECT_THAT(violated(tally), ElementsAre(finite, pixels));
-    EXPECT_EQ(tally[finite].violations, 1U);
+    const Tally tally = judged_pictures(subject, floor_case(false));
+    EXPECT_THAT(violated(tally), ElementsAre(finite_pictures, pixels));
+    EXPECT_EQ(tally[finite_pictures].violations, 1U);
   }
 }
 
 TEST(PictureProperties, ConvictShadowsThatAreMissingOrTooMany) {
   Painter subject;
   subject.look = [](bool, std::uint32_t) { return true; };
-  EXPECT_THAT(violated(judged(subject, floor_case(false))), IsEmpty());
-  EXPECT_THAT(judged(subject, floor_case(true))[occlusion].first_violation,
+  EXPECT_THAT(violated(judged_pictures(subject, floor_case(false))), IsEmpty());
+  EXPECT_THAT(judged_pictures(subject, floor_case(true))[occlusion].first_violation,
               HasSubstr("seen, by brute force blocked"));
   subject.look = [](bool, std::uint32_t) { return false; };
-  EXPECT_THAT(judged(subject, floor_case(false))[occlusion].first_violation,
+  EXPECT_THAT(judged_pictures(subject, floor_case(false))[occlusion].first_violation,
               HasSubstr("blocked, by brute force seen"));
 }
 
 TEST(PictureProperties, AskForPartsThatThereAreOnly) {
   Painter subject;
   subject.judged = only(Part::occlusion);
-  EXPECT_EQ(judged(subject, floor_case(true))[pixels].cases, 0U);
-  EXPECT_GT(judged(subject, floor_case(true))[occlusion].cases, 0U);
+  EXPECT_EQ(judged_pictures(subject, floor_case(true))[pixels].cases, 0U);
+  EXPECT_GT(judged_pictures(subject, floor_case(true))[occlusion].cases, 0U);
   subject.judged = only(Part::pictures);
-  EXPECT_EQ(judged(subject, floor_case(true))[pixels].cases, 30U);
-  EXPECT_EQ(judged(subject, floor_case(true))[occlusion].cases, 0U);
+  EXPECT_EQ(judged_pictures(subject, floor_case(true))[pixels].cases, 30U);
+  EXPECT_EQ(judged_pictures(subject, floor_case(true))[occlusion].cases, 0U);
 }
 
 // A light behind the surface is not asked for, as no ray is ever cast to it.
 TEST(CheckRay, IsNotAskedOfLightsBelowTheHorizon) {
   Case c = floor_case(true);
   c.lights[0].position.y = -2;
-  EXPECT_EQ(judged(Painter(), c)[occlusion].cases, 0U);
+  EXPECT_EQ(judged_pictures(Painter(), c)[occlusion].cases, 0U);
 }
 
 TEST(CheckRay, CountsRaysThatAreTooCloseToCall) {

@@ -7,15 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <tests/oracle/support/contains.h>
 #include <tests/oracle/support/made_up_report.h>
 #include <tests/render/support/temporary_folder.h>
 
 namespace lightcuts::oracle {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// The first tag that is not closed where it should be; empty where all are.
 std::string unbalanced_tag(const std::string& html) {

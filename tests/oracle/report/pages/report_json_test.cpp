@@ -20,14 +20,14 @@ std::vector<std::string> keys_of(const Json& object) {
 }
 
 TEST(ReportJson, has_the_keys_of_the_schema_in_order) {
-  const Json json = Json::parse(report_json(made_up_report()));
-  EXPECT_EQ(json["schema"], "lightcuts-oracle/report/1");
-  EXPECT_EQ(keys_of(json),
+  const Json written = Json::parse(report_json(made_up_report()));
+  EXPECT_EQ(written["schema"], "lightcuts-oracle/report/1");
+  EXPECT_EQ(keys_of(written),
             (std::vector<std::string>{"schema", "scene", "seed", "builder", "lights", "triangles",
                                       "width", "height", "surface_pixels", "threads", "repeats",
                                       "black_level", "needs", "left_out", "runs"}));
   EXPECT_EQ(
-      keys_of(json["runs"][0]),
+      keys_of(written["runs"][0]),
       (std::vector<std::string>{
           "method", "threshold", "build_seconds", "render_seconds", "mean_cut_size",
           "shadow_rays_per_pixel", "rel_rmse", "mrse", "mean_relative_error", "max_relative_error",
@@ -37,13 +37,13 @@ TEST(ReportJson, has_the_keys_of_the_schema_in_order) {
 
 TEST(ReportJson, keeps_every_value) {
   const Report report = made_up_report();
-  const Json json = Json::parse(report_json(report));
-  EXPECT_EQ(json["width"], 640);
-  EXPECT_EQ(json["left_out"][0], report.left_out[0]);
-  ASSERT_EQ(json["runs"].size(), 3U);
-  EXPECT_EQ(json["runs"][1]["method"], "lightcuts");
-  EXPECT_EQ(json["runs"][1]["rel_rmse"].get<double>(), report.runs[1].rel_rmse);
-  EXPECT_EQ(json["runs"][1]["pixels_over_threshold"], 41);
+  const Json written = Json::parse(report_json(report));
+  EXPECT_EQ(written["width"], 640);
+  EXPECT_EQ(written["left_out"][0], report.left_out[0]);
+  ASSERT_EQ(written["runs"].size(), 3U);
+  EXPECT_EQ(written["runs"][1]["method"], "lightcuts");
+  EXPECT_EQ(written["runs"][1]["rel_rmse"].get<double>(), report.runs[1].rel_rmse);
+  EXPECT_EQ(written["runs"][1]["pixels_over_threshold"], 41);
 }
 
 TEST(ReportJson, writes_a_float_with_its_own_digits) {
@@ -55,10 +55,10 @@ TEST(ReportJson, writes_null_for_what_is_not_finite) {
   report.runs[1].mrse = std::numeric_limits<double>::quiet_NaN();
   report.runs[1].efficiency = std::numeric_limits<double>::infinity();
   report.black_level = std::numeric_limits<float>::infinity();
-  const Json json = Json::parse(report_json(report));
-  EXPECT_TRUE(json["runs"][1]["mrse"].is_null());
-  EXPECT_TRUE(json["runs"][1]["efficiency"].is_null());
-  EXPECT_TRUE(json["black_level"].is_null());
+  const Json written = Json::parse(report_json(report));
+  EXPECT_TRUE(written["runs"][1]["mrse"].is_null());
+  EXPECT_TRUE(written["runs"][1]["efficiency"].is_null());
+  EXPECT_TRUE(written["black_level"].is_null());
 }
 
 TEST(ReportJson, survives_a_scene_name_that_is_not_utf8) {
@@ -69,8 +69,8 @@ TEST(ReportJson, survives_a_scene_name_that_is_not_utf8) {
 
 TEST(ReportJson, has_arrays_where_there_is_nothing) {
   const std::string text = report_json({});
-  const Json json = Json::parse(text);
-  EXPECT_TRUE(json["runs"].is_array() && json["needs"].is_array());
+  const Json written = Json::parse(text);
+  EXPECT_TRUE(written["runs"].is_array() && written["needs"].is_array());
   EXPECT_EQ(text.back(), '\n');
 }
 

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
+#include <tests/oracle/support/contains.h>
 #include <tests/oracle/support/made_up_report.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -24,10 +25,6 @@ std::size_t widest_line(const std::string& text) {
   return widest;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(ReportTable, shows_the_scene_the_runs_and_what_was_left_out) {
   const std::string table = report_table(made_up_report());
   for (const char* part :
@@ -38,8 +35,7 @@ TEST(ReportTable, shows_the_scene_the_runs_and_what_was_left_out) {
 }
 
 TEST(ReportTable, stays_within_100_columns_whatever_the_numbers) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double extremes[] = {1e90, 1e-90, infinity, std::nan(""), 9999999.4, 0.0123456};
+  const double extremes[] = {1e90, 1e-90, inf, std::nan(""), 9999999.4, 0.0123456};
   for (const double x : extremes) {
     Report report = made_up_report();
     report.scene = std::string(250, 'x');

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+#include <tests/oracle/support/contains.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -15,10 +16,6 @@ std::string message_of(const std::string& script) {
   } catch (const std::runtime_error& error) {
     return error.what();
   }
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(Gnuplot, draws_data_that_the_script_brings_along) {

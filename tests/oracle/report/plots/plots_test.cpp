@@ -5,16 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <tests/oracle/support/contains.h>
 #include <tests/oracle/support/made_up_report.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts::oracle {
 namespace {
-
-constexpr auto infinity = std::numeric_limits<double>::infinity();
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 void expect_all_drawn(const Report& report) {
   for (const auto& draw :
@@ -55,7 +51,7 @@ TEST(Plots, leave_out_what_cannot_be_drawn) {
   Report report = made_up_report();
   report.runs[1].mean_relative_error = 0;
   report.runs[2].max_relative_error = std::numeric_limits<double>::quiet_NaN();
-  report.runs[2].render_seconds = infinity;
+  report.runs[2].render_seconds = inf;
   report.cut_sizes = {std::numeric_limits<float>::infinity(), 3};
   expect_all_drawn(report);
 }

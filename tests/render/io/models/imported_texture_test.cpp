@@ -15,10 +15,12 @@
 #include <lightcuts/render/view/scene_view.h>
 #include <nlohmann/json.hpp>
 
+#include <tests/render/support/expect_near.h>
 #include <tests/render/support/gltf_file.h>
 #include <tests/render/support/image_bytes.h>
 #include <tests/render/support/refusal.h>
 #include <tests/render/support/temporary_folder.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts {
 namespace {
@@ -28,13 +30,9 @@ using nlohmann::json;
 /// The colours of test::four_colours().
 const glm::vec3 red(1, 0, 0), green(0, 1, 0), blue(0, 0, 1), white(1, 1, 1);
 
-const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+const std::string square_obj =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
 const std::string square_face = "f 1/1 2/2 3/3 4/4\n";
-
-void expect_near(const glm::vec3& a, const glm::vec3& b) {
-  EXPECT_LE(glm::distance(a, b), 1e-5F)
-      << a.x << ' ' << a.y << ' ' << a.z << " expected " << b.x << ' ' << b.y << ' ' << b.z;
-}
 
 class ImportedTexture : public testing::Test {
 protected:
@@ -49,7 +47,7 @@ protected:
     EXPECT_NO_THROW(validate(scene));
     return scene;
   }
-  Scene import_square_obj(const std::string& mtl, const std::string& geometry = square) {
+  Scene import_square_obj(const std::string& mtl, const std::string& geometry = square_obj) {
     write(folder_.path / "s.mtl", "newmtl paint\n" + mtl);
     return import("s.obj", "mtllib s.mtl\n" + geometry + "usemtl paint\n" + square_face);
   }
@@ -217,8 +215,8 @@ TEST_F(ImportedTexture, of_a_specular_glossiness_material_is_left_out_and_this_i
 TEST_F(ImportedTexture, is_loaded_once_for_all_materials) {
   write(folder_.path / "two.mtl", "newmtl a\nKd 1 1 1\nmap_Kd four.png\n"
                                   "newmtl b\nKd 1 1 1\nmap_Kd ./four.png\n");
-  const Scene scene = import("two.obj", "mtllib two.mtl\n" + square + "usemtl a\n" + square_face +
-                                            "usemtl b\nf 3/3 2/2 1/1\n");
+  const Scene scene = import("two.obj", "mtllib two.mtl\n" + square_obj + "usemtl a\n" +
+                                            square_face + "usemtl b\nf 3/3 2/2 1/1\n");
   EXPECT_EQ(scene.surfaces.size(), 2U);
   EXPECT_EQ(scene.textures.size(), 1U);
   for (const Surface& surface : scene.surfaces) EXPECT_EQ(surface.texture.value().index, 0U);
@@ -233,8 +231,8 @@ TEST_F(ImportedTexture, whose_name_is_that_of_one_in_the_file_is_not_taken_for_i
 TEST_F(ImportedTexture, that_is_missing_is_noted_once_and_the_factor_used) {
   write(folder_.path / "two.mtl", "newmtl a\nKd 1 0.5 0.25\nmap_Kd absent.png\n"
                                   "newmtl b\nKd 1 1 1\nmap_Kd absent.png\n");
-  const Scene scene = import("two.obj", "mtllib two.mtl\n" + square + "usemtl a\n" + square_face +
-                                            "usemtl b\nf 3/3 2/2 1/1\n");
+  const Scene scene = import("two.obj", "mtllib two.mtl\n" + square_obj + "usemtl a\n" +
+                                            square_face + "usemtl b\nf 3/3 2/2 1/1\n");
   EXPECT_EQ(notes_with(scene, "two.obj: texture 'absent.png' cannot be read: no such file: the "
                               "factor colour is used"),
             1U);
@@ -315,7 +313,6 @@ TEST_F(ImportedTexture, goes_with_its_own_model_when_there_are_several) {
 
 TEST_F(ImportedTexture, is_refused_with_coordinates_that_are_not_finite) {
   std::string bytes = test::square_buffer();
-  const float nan = std::nanf("");
   std::memcpy(&bytes[48 + 8], &nan, 4);
   write(folder_.path / "n.gltf", test::textured_square({{"uri", "four.png"}}, bytes).dump());
   expect_refusal("n.gltf: mesh 'square': texture coordinate 1 is not finite",

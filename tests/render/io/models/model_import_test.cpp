@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -13,22 +12,20 @@
 #include <lightcuts/render/scene/bounds.h>
 #include <nlohmann/json.hpp>
 
+#include <tests/render/support/expect_near.h>
 #include <tests/render/support/gltf_file.h>
 #include <tests/render/support/refusal.h>
 #include <tests/render/support/temporary_folder.h>
+#include <tests/support/float_limits.h>
 
 namespace lightcuts {
 namespace {
 
-const std::string triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+const std::string triangle_obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
 
 bool has_note(const Scene& scene, const std::string& part) {
   return std::any_of(scene.notes.begin(), scene.notes.end(),
                      [&](const std::string& note) { return note.find(part) != std::string::npos; });
-}
-
-void expect_near(const glm::vec3& a, const glm::vec3& b) {
-  EXPECT_LE(glm::distance(a, b), 1e-5F) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
 class ModelImport : public testing::Test {
@@ -53,7 +50,7 @@ TEST_F(ModelImport, reads_quads_negative_indices_and_materials_of_an_obj) {
   write(folder_.path / "m.mtl", "newmtl shiny\nKa 9 9 9\nKd 0.1 0.2 0.3\nKs 0.4 0.5 0.6\n"
                                 "Ke 1 2 3\nNs 37\nnewmtl unused\nKs 1 1 1\nnewmtl plain\n"
                                 "Kd 0.5 0.5 0.5\n");
-  const Scene scene = import("m.obj", "mtllib m.mtl\n" + triangle +
+  const Scene scene = import("m.obj", "mtllib m.mtl\n" + triangle_obj +
                                           "v 0 1 0\nusemtl shiny\nf 1 2 3 4\nusemtl plain\n"
                                           "f -4 -3 -2\n");
   EXPECT_NO_THROW(validate(scene));
@@ -77,9 +74,9 @@ TEST_F(ModelImport, reads_quads_negative_indices_and_materials_of_an_obj) {
 }
 
 TEST_F(ModelImport, takes_normals_where_the_file_has_them) {
-  const Scene with = import("n.obj", triangle + "vn 0 0 2\nf 1//1 2//1 3//1\n");
+  const Scene with = import("n.obj", triangle_obj + "vn 0 0 2\nf 1//1 2//1 3//1\n");
   for (const glm::vec3& normal : with.mesh.normals) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
-  const Scene without = import("o.obj", triangle + "f 1 2 3\n");
+  const Scene without = import("o.obj", triangle_obj + "f 1 2 3\n");
   for (const glm::vec3& normal : without.mesh.normals) EXPECT_EQ(normal, glm::vec3(0));
 }
 
@@ -90,20 +87,21 @@ TEST_F(ModelImport, takes_continued_lines_crlf_comments_lines_and_points) {
 }
 
 TEST_F(ModelImport, drops_triangles_without_area_and_says_how_many) {
-  const Scene scene = import("z.obj", triangle + "v 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 2\n");
+  const Scene scene = import("z.obj", triangle_obj + "v 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 2\n");
   EXPECT_EQ(scene.mesh.triangles.size(), 1U);
   EXPECT_TRUE(has_note(scene, "2 triangles without area left out"));
 }
 
 TEST_F(ModelImport, clamps_a_huge_exponent_and_says_so) {
   write(folder_.path / "e.mtl", "newmtl mirror\nKs 1 1 1\nNs 1e9\n");
-  const Scene scene = import("e.obj", "mtllib e.mtl\n" + triangle + "usemtl mirror\nf 1 2 3\n");
+  const Scene scene = import("e.obj", "mtllib e.mtl\n" + triangle_obj + "usemtl mirror\nf 1 2 3\n");
   EXPECT_EQ(std::get<Phong>(scene.surfaces.at(0).material.lobe).exponent, Phong::max_exponent);
   EXPECT_TRUE(has_note(scene, "material 'mirror': exponent 1000000000 is clamped to 1048576"));
 }
 
 TEST_F(ModelImport, says_that_a_material_library_or_a_camera_is_missing) {
-  const Scene scene = import("a.obj", "mtllib no such.mtl\n" + triangle + "usemtl x\nf 1 2 3\n");
+  const Scene scene =
+      import("a.obj", "mtllib no such.mtl\n" + triangle_obj + "usemtl x\nf 1 2 3\n");
   EXPECT_TRUE(has_note(scene, "a.obj: material library 'no such.mtl' not found"));
   EXPECT_TRUE(has_note(scene, "a.obj: no camera in the file: framed"));
 }
@@ -111,7 +109,7 @@ TEST_F(ModelImport, says_that_a_material_library_or_a_camera_is_missing) {
 TEST_F(ModelImport, refuses_materials_outside_their_domain) {
   const auto refuses_mtl = [&](const std::string& mtl, const std::string& part) {
     write(folder_.path / "b.mtl", "newmtl bad\n" + mtl);
-    refuses("b.obj", "mtllib b.mtl\n" + triangle + "usemtl bad\nf 1 2 3\n", part);
+    refuses("b.obj", "mtllib b.mtl\n" + triangle_obj + "usemtl bad\nf 1 2 3\n", part);
   };
   refuses_mtl("Ns -5\n", "b.obj: material 'bad': exponent is -5");
   refuses_mtl("Ns nan\n", "b.obj: material 'bad': exponent is nan");
@@ -123,44 +121,44 @@ TEST_F(ModelImport, refuses_materials_outside_their_domain) {
 
 TEST_F(ModelImport, refuses_a_truncated_material_library) {
   write(folder_.path / "t.mtl", "newmtl cut\nKs 0 0 0\nKd 0.5 0.");
-  EXPECT_THROW((void)import("t.obj", "mtllib t.mtl\n" + triangle + "f 1 2 3\n"), InputError);
+  EXPECT_THROW((void)import("t.obj", "mtllib t.mtl\n" + triangle_obj + "f 1 2 3\n"), InputError);
   expect_refusal("t.mtl:3: 'Kd' with 2 values, expected 3",
                  [&] { (void)import_model(folder_.path / "t.obj"); });
 }
 
 TEST_F(ModelImport, refuses_an_obj_that_is_cut_off_within_a_line) {
-  refuses_obj(triangle + "f 1 2 3\nf 1 2", "broken.obj:5: a face with 2 corners");
-  refuses_obj(triangle + "f 1 2 3\nf", "broken.obj:5: a face with 0 corners");
-  refuses_obj(triangle + "vt 0 0\nf 1/1 2/1 3", "broken.obj:5: corner '3' lacks what");
-  refuses_obj(triangle + "f 1/", "broken.obj:4: a face with 1 corners");
-  refuses_obj(triangle + "f 1/1 2/1 3/", "broken.obj:4: corner '3/' lacks what");
-  refuses_obj(triangle + "f 1 2 3\nv 1.0", "broken.obj:5: 'v' with 1 values, expected 3");
-  refuses_obj(triangle + "f 1 2 3\nv 1.0 2.0 -", "broken.obj:5: '-' is not a number");
-  refuses_obj(triangle + "f 1 2 3\nvn 1.0 0", "broken.obj:5: 'vn' with 2 values");
+  refuses_obj(triangle_obj + "f 1 2 3\nf 1 2", "broken.obj:5: a face with 2 corners");
+  refuses_obj(triangle_obj + "f 1 2 3\nf", "broken.obj:5: a face with 0 corners");
+  refuses_obj(triangle_obj + "vt 0 0\nf 1/1 2/1 3", "broken.obj:5: corner '3' lacks what");
+  refuses_obj(triangle_obj + "f 1/", "broken.obj:4: a face with 1 corners");
+  refuses_obj(triangle_obj + "f 1/1 2/1 3/", "broken.obj:4: corner '3/' lacks what");
+  refuses_obj(triangle_obj + "f 1 2 3\nv 1.0", "broken.obj:5: 'v' with 1 values, expected 3");
+  refuses_obj(triangle_obj + "f 1 2 3\nv 1.0 2.0 -", "broken.obj:5: '-' is not a number");
+  refuses_obj(triangle_obj + "f 1 2 3\nvn 1.0 0", "broken.obj:5: 'vn' with 2 values");
 }
 
 TEST_F(ModelImport, refuses_indices_that_are_out_of_range) {
-  refuses_obj(triangle + "f 1 2 9\n", "a face uses position 9, of 3");
-  refuses_obj(triangle + "vn 0 0 1\nf 1//1 2//1 3//2\n", "a face uses normal 2, of 1");
-  refuses_obj(triangle + "f 1/1 2/1 3/1\n", "a face uses texture coordinate 1, of 0");
-  refuses_obj(triangle + "f -1 -2 -9\n", "broken.obj:4: index -9 is out of range");
-  refuses_obj(triangle + "f 0 1 2\n", "broken.obj:4: index 0 is out of range");
-  refuses_obj(triangle + "f a b c\n", "broken.obj:4: 'a' is not an index");
-  refuses_obj(triangle + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2/1/1/1 3/1/1/1\n",
+  refuses_obj(triangle_obj + "f 1 2 9\n", "a face uses position 9, of 3");
+  refuses_obj(triangle_obj + "vn 0 0 1\nf 1//1 2//1 3//2\n", "a face uses normal 2, of 1");
+  refuses_obj(triangle_obj + "f 1/1 2/1 3/1\n", "a face uses texture coordinate 1, of 0");
+  refuses_obj(triangle_obj + "f -1 -2 -9\n", "broken.obj:4: index -9 is out of range");
+  refuses_obj(triangle_obj + "f 0 1 2\n", "broken.obj:4: index 0 is out of range");
+  refuses_obj(triangle_obj + "f a b c\n", "broken.obj:4: 'a' is not an index");
+  refuses_obj(triangle_obj + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2/1/1/1 3/1/1/1\n",
               "broken.obj:6: a face's corner has more than three indices");
 }
 
 TEST_F(ModelImport, refuses_coordinates_that_are_no_finite_floats) {
-  refuses_obj(triangle + "v a b c\nf 1 2 3\n", "broken.obj:4: 'a' is not a number");
-  refuses_obj("v 1e999 0 0\n" + triangle + "f 1 2 3\n", "broken.obj:1: 1e999 is out of range");
-  refuses_obj("v 1e39 0 0\n" + triangle + "f 1 2 3\n", "broken.obj:1: 1e39 is out of range");
-  refuses_obj("v nan 0 0\n" + triangle + "f 1 2 3\n", "vertex 0 is not finite");
+  refuses_obj(triangle_obj + "v a b c\nf 1 2 3\n", "broken.obj:4: 'a' is not a number");
+  refuses_obj("v 1e999 0 0\n" + triangle_obj + "f 1 2 3\n", "broken.obj:1: 1e999 is out of range");
+  refuses_obj("v 1e39 0 0\n" + triangle_obj + "f 1 2 3\n", "broken.obj:1: 1e39 is out of range");
+  refuses_obj("v nan 0 0\n" + triangle_obj + "f 1 2 3\n", "vertex 0 is not finite");
   EXPECT_NO_THROW((void)import("tiny.obj", "v 1e-999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
 }
 
 TEST_F(ModelImport, refuses_files_without_triangles) {
-  refuses_obj(triangle, "no triangles");
-  refuses_obj(triangle + "v 2 0 0\nf 1 2 4\n", "no triangles");
+  refuses_obj(triangle_obj, "no triangles");
+  refuses_obj(triangle_obj + "v 2 0 0\nf 1 2 4\n", "no triangles");
   refuses_obj(std::string(500, '\x01'), "no triangles");
   refuses_obj("", "broken.obj");
   nlohmann::json gltf = test::gltf();
@@ -369,7 +367,6 @@ TEST_F(ModelImport, refuses_bad_values_in_a_gltf) {
 
 TEST_F(ModelImport, refuses_a_vertex_that_is_not_a_number) {
   std::string bytes = test::buffer();
-  const float nan = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(bytes.data() + 12, &nan, 4);
   refuses("nan.gltf", test::gltf(bytes).dump(), "mesh 'shape': vertex 1 is not finite");
 }
@@ -388,7 +385,7 @@ TEST_F(ModelImport, writes_nothing_to_stdout) {
 }
 
 TEST_F(ModelImport, appends_a_model_to_a_scene) {
-  Scene scene = import("a.obj", triangle + "f 1 2 3\n");
+  Scene scene = import("a.obj", triangle_obj + "f 1 2 3\n");
   write(folder_.path / "b.gltf", test::gltf().dump());
   EXPECT_TRUE(append_model(folder_.path / "b.gltf", scene));
   EXPECT_EQ(scene.mesh.triangles.size(), 2U);

@@ -23,12 +23,12 @@ namespace {
 
 using ::testing::Each;
 
-using Picture = std::vector<glm::vec3>;
+using Radiance = std::vector<glm::vec3>;
 constexpr double long_enough = 1e6; // milliseconds
 /// Of difference(): what single precision costs; one light of 200 makes more.
-constexpr double tolerance = 1e-4;
+constexpr double rounding_error = 1e-4;
 
-Picture preview_of(const Scene& scene) {
+Radiance preview_of(const Scene& scene) {
   RasterPreview preview(scene);
   preview.start(scene.camera, scene.image_size);
   EXPECT_TRUE(preview.advance(long_enough));
@@ -37,7 +37,7 @@ Picture preview_of(const Scene& scene) {
 }
 
 /// Every light on its own, emission included.
-Picture reference_of(const Scene& scene) {
+Radiance reference_of(const Scene& scene) {
   const LightTree tree = build(scene.lights);
   Rendering rendering = render(SceneView(scene), tree, {.method = methods::reference});
   for (std::size_t i = 0; i < rendering.radiance.size(); ++i)
@@ -49,7 +49,7 @@ float luminance(const glm::vec3& c) { return c.r + c.g + c.b; }
 
 /// The mean over the 99 % of pixels that agree best (others may lie on an edge) of |a - b| / b,
 /// with a hundredth of the mean added to b.
-double difference(const Picture& a, const Picture& b) {
+double difference(const Radiance& a, const Radiance& b) {
   double mean = 0;
   for (const glm::vec3& c : b) mean += double(luminance(c)) / double(b.size());
   std::vector<double> errors;
@@ -152,8 +152,8 @@ protected:
 
 TEST_F(RasterPreviewTest, EqualsTheReferenceInAnOpenCornerWithAllKindsOfLights) {
   const Scene scene = corner_scene();
-  const Picture reference = reference_of(scene);
-  EXPECT_LT(difference(preview_of(scene), reference), tolerance);
+  const Radiance reference = reference_of(scene);
+  EXPECT_LT(difference(preview_of(scene), reference), rounding_error);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     Scene darker = scene;
     darker.lights = without(scene.lights, i);
@@ -165,16 +165,16 @@ TEST_F(RasterPreviewTest, EqualsTheReferenceInAConvexRoom) {
   for (const char* kind : {"material=diffuse", "material=ggx", "material=ggx&kind=mixed"}) {
     Scene scene = make_builtin(std::string("cloud?lights=200&blocks=0&") + kind);
     scene.image_size = {80, 60};
-    const Picture reference = reference_of(scene);
-    EXPECT_LT(difference(preview_of(scene), reference), tolerance) << kind;
+    const Radiance reference = reference_of(scene);
+    EXPECT_LT(difference(preview_of(scene), reference), rounding_error) << kind;
     scene.lights = without(scene.lights, 77);
-    EXPECT_GT(difference(preview_of(scene), reference), 3 * tolerance) << kind;
+    EXPECT_GT(difference(preview_of(scene), reference), 3 * rounding_error) << kind;
   }
 }
 
 TEST_F(RasterPreviewTest, EachPartOfTheMaterialCounts) {
   const Scene scene = corner_scene();
-  const Picture picture = preview_of(scene);
+  const Radiance picture = preview_of(scene);
   const auto changed = [&](auto change) {
     Scene other = scene;
     change(other);
@@ -191,14 +191,14 @@ TEST_F(RasterPreviewTest, EachPartOfTheMaterialCounts) {
 
 TEST_F(RasterPreviewTest, SeesBothSidesOfASurface) {
   Scene scene = corner_scene();
-  const Picture reference = reference_of(scene);
+  const Radiance reference = reference_of(scene);
   for (glm::uvec3& t : scene.mesh.triangles) std::swap(t.y, t.z);
-  EXPECT_LT(difference(preview_of(scene), reference), tolerance);
+  EXPECT_LT(difference(preview_of(scene), reference), rounding_error);
 }
 
 TEST_F(RasterPreviewTest, IsTheSameFarFromTheOrigin) {
   const Scene scene = corner_scene(); // coordinates are multiples of 1/16
-  const Picture near = preview_of(scene);
+  const Radiance near = preview_of(scene);
   EXPECT_LT(difference(preview_of(moved(scene, {0x1p19F, -0x1p18F, 0x1p17F})), near), 1e-5);
 }
 
@@ -212,7 +212,7 @@ TEST_F(RasterPreviewTest, SomeOfTheLightsStandForAll) {
   EXPECT_FALSE(preview.advance(0)); // at least one light
   EXPECT_GT(preview.share(), 0);
   EXPECT_LT(preview.share(), 0.1F);
-  const Picture partial = preview.radiance();
+  const Radiance partial = preview.radiance();
   while (!preview.advance(5)) EXPECT_LT(preview.share(), 1);
   EXPECT_EQ(preview.share(), 1);
   EXPECT_LT(difference(partial, preview.radiance()), 1e-5);
@@ -226,7 +226,7 @@ TEST_F(RasterPreviewTest, LightsComeInAnOrderThatIsNotTheirs) {
   RasterPreview preview(scene);
   preview.start(scene.camera, scene.image_size);
   while (preview.share() < 0.2F) preview.advance(0);
-  const Picture partial = preview.radiance();
+  const Radiance partial = preview.radiance();
   preview.advance(long_enough);
   EXPECT_LT(difference(partial, preview.radiance()), 0.2);
 }
@@ -239,7 +239,7 @@ TEST_F(RasterPreviewTest, WithoutLightsOnlyEmissionIsSeen) {
   preview.start(scene.camera, scene.image_size);
   EXPECT_EQ(preview.share(), 1);
   EXPECT_TRUE(preview.advance(1));
-  const Picture picture = preview.radiance();
+  const Radiance picture = preview.radiance();
   EXPECT_LT(difference(picture, reference_of(scene)), 1e-6);
   EXPECT_THAT(picture, testing::Contains(glm::vec3(0.5F, 0.25F, 2)));
 }
@@ -261,7 +261,7 @@ TEST_F(RasterPreviewTest, PictureCanBeginAgainInAnotherSizeAndFromElsewhere) {
     preview.start(scene.camera, size);
     EXPECT_TRUE(preview.advance(long_enough));
     EXPECT_EQ(preview.size(), size);
-    EXPECT_LT(difference(preview.radiance(), reference_of(scene)), tolerance) << size.x;
+    EXPECT_LT(difference(preview.radiance(), reference_of(scene)), rounding_error) << size.x;
   }
   EXPECT_THROW(preview.start({.target = {0, 0, 1}}, {4, 4}), InputError);
   EXPECT_THROW(preview.start(scene.camera, {0, 4}), InputError);

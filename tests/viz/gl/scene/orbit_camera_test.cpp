@@ -15,7 +15,7 @@
 namespace lightcuts::viz {
 namespace {
 
-constexpr glm::uvec2 image{200, 100};
+constexpr glm::uvec2 view_size{200, 100};
 
 void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
   EXPECT_LT(glm::length(a - b), tolerance)
@@ -54,7 +54,7 @@ TEST(OrbitCamera, SurvivesTheWayToACameraAndBack) {
     EXPECT_NEAR(back.pitch, camera.pitch, 1e-6);
     EXPECT_EQ(back.vertical_fov, camera.vertical_fov);
     EXPECT_EQ(back.up, camera.up);
-    const glm::dvec3 before = camera.eye(), right = camera.frame(image).right;
+    const glm::dvec3 before = camera.eye(), right = camera.frame(view_size).right;
     camera.orbit(0.1, 0);
     EXPECT_GT(glm::dot(camera.eye() - before, right), 0); // more yaw goes to the right
   }
@@ -64,10 +64,10 @@ TEST(OrbitCamera, SeesWhatTheCameraThatItCameFromSees) {
   const Camera camera{{3, 2, -1}, {0, 1, 5}, {0.1F, 1, 0.2F}, 60};
   const OrbitCamera orbit = OrbitCamera::from_camera(camera, {10, 0, 3});
   expect_near(orbit.eye(), glm::dvec3(camera.position), 1e-9);
-  const PinholeView view(orbit.to_camera(), image);
+  const PinholeView view(orbit.to_camera(), view_size);
   for (const glm::uvec2 pixel : {glm::uvec2(0, 0), glm::uvec2(150, 20), glm::uvec2(199, 99)}) {
     const auto place =
-        orbit.screen_position(orbit.eye() + 3.0 * glm::dvec3(view.direction(pixel)), image);
+        orbit.screen_position(orbit.eye() + 3.0 * glm::dvec3(view.direction(pixel)), view_size);
     ASSERT_TRUE(place);
     EXPECT_LT(glm::distance(*place, glm::dvec2(pixel) + 0.5), 1e-3);
   }
@@ -89,7 +89,7 @@ TEST(OrbitCamera, OrbitKeepsDistanceAndTargetAndStaysShortOfThePoles) {
     EXPECT_NEAR(glm::distance(camera.eye(), somewhere().target), 7, 1e-12);
     EXPECT_LT(camera.eye().y - somewhere().target.y, 7);
     EXPECT_LE(std::abs(camera.yaw), 3.15);
-    EXPECT_NO_THROW(PinholeView(camera.to_camera(), image));
+    EXPECT_NO_THROW(PinholeView(camera.to_camera(), view_size));
   }
   EXPECT_EQ(camera.pitch, OrbitCamera::max_pitch);
   camera.orbit(0, -100);
@@ -100,11 +100,11 @@ TEST(OrbitCamera, OrbitKeepsDistanceAndTargetAndStaysShortOfThePoles) {
 TEST(OrbitCamera, PanMovesTheTargetWithTheCursor) {
   OrbitCamera camera = somewhere();
   const glm::dvec3 point = camera.target;
-  const glm::dvec2 before = camera.screen_position(point, image).value();
+  const glm::dvec2 before = camera.screen_position(point, view_size).value();
   EXPECT_LT(glm::distance(before, glm::dvec2(100, 50)), 1e-9);
-  camera.pan({13, -21}, image);
+  camera.pan({13, -21}, view_size);
   EXPECT_LT(
-      glm::distance(camera.screen_position(point, image).value(), before + glm::dvec2(13, -21)),
+      glm::distance(camera.screen_position(point, view_size).value(), before + glm::dvec2(13, -21)),
       1e-9);
   EXPECT_EQ(camera.distance, 7);
 }
@@ -138,27 +138,27 @@ TEST(OrbitCamera, FitShowsTheWholeBox) {
     EXPECT_EQ(camera.yaw, somewhere().yaw);
   }
   OrbitCamera camera = somewhere();
-  camera.fit(Box::empty(), image);
+  camera.fit(Box::empty(), view_size);
   EXPECT_EQ(camera.distance, 7);
-  camera.fit({{1, 1, 1}, {1, 1, 1}}, image);
+  camera.fit({{1, 1, 1}, {1, 1, 1}}, view_size);
   EXPECT_EQ(camera.distance, 1);
 }
 
 TEST(OrbitCamera, BehindTheCameraNothingIsSeen) {
   const OrbitCamera camera = somewhere();
-  EXPECT_FALSE(camera.screen_position(2.0 * camera.eye() - camera.target, image));
+  EXPECT_FALSE(camera.screen_position(2.0 * camera.eye() - camera.target, view_size));
 }
 
 TEST(Picking, FindsTheNearestPointWithinTheRadius) {
   OrbitCamera camera;
   camera.distance = 10;
-  const ViewFrame frame = camera.frame(image);
+  const ViewFrame frame = camera.frame(view_size);
   const std::vector<glm::dvec3> points{{0, 0, 20}, {1, 0, 0}, {0, 0, 0}, {0, 0, 3}, {0, 0, -3}};
   const auto pick = [&](const glm::dvec2& mouse, double radius) {
-    return pick_point(frame, image, points, mouse, radius);
+    return pick_point(frame, view_size, points, mouse, radius);
   };
   EXPECT_EQ(pick({100, 50}, 3), 3U); // of three in line, the one in front
-  const glm::dvec2 place = camera.screen_position(points[1], image).value();
+  const glm::dvec2 place = camera.screen_position(points[1], view_size).value();
   EXPECT_EQ(pick(place + glm::dvec2(2, 0), 3), 1U);
   EXPECT_EQ(pick(place + glm::dvec2(2, 0), 1.9), std::nullopt);
   EXPECT_EQ(pick(0.6 * place + 0.4 * glm::dvec2(100, 50), 50), 1U);
@@ -174,9 +174,10 @@ TEST(Picking, DirectionalLightsAreAroundTheScene) {
   expect_near(shown_position(lights[1], Box::empty()), {1, 0, 0}, 1e-12);
   OrbitCamera camera;
   camera.distance = 30;
-  const glm::dvec2 place = camera.screen_position(shown_position(lights[1], scene), image).value();
+  const glm::dvec2 place =
+      camera.screen_position(shown_position(lights[1], scene), view_size).value();
   const std::array places{shown_position(lights[0], scene), shown_position(lights[1], scene)};
-  EXPECT_EQ(pick_point(camera.frame(image), image, places, place, 1), 1U);
+  EXPECT_EQ(pick_point(camera.frame(view_size), view_size, places, place, 1), 1U);
 }
 
 } // namespace

@@ -18,7 +18,7 @@ namespace {
 
 using ::testing::Each;
 
-constexpr glm::uvec2 image{90, 60};
+constexpr glm::uvec2 picture_size{90, 60};
 constexpr Rgba8 background{24, 26, 30, 255}, green{0, 255, 0, 255};
 
 /// Looks along -z from 10 m away.
@@ -28,14 +28,15 @@ OrbitCamera front_camera() {
   return camera;
 }
 
-/// Of a picture of `image` pixels; the place in pixels from the top left.
-Rgba8 at(const std::vector<Rgba8>& pixels, const glm::dvec2& place) {
+/// Of a picture of `picture_size` pixels; the place in pixels from the top left.
+Rgba8 colour_at(const std::vector<Rgba8>& pixels, const glm::dvec2& place) {
   const glm::uvec2 pixel(place);
-  return pixels.at(std::size_t{pixel.y} * image.x + pixel.x);
+  return pixels.at(std::size_t{pixel.y} * picture_size.x + pixel.x);
 }
 
-Rgba8 at(const std::vector<Rgba8>& pixels, const OrbitCamera& camera, const glm::vec3& point) {
-  return at(pixels, camera.screen_position(point, image).value());
+Rgba8 colour_at(const std::vector<Rgba8>& pixels, const OrbitCamera& camera,
+                const glm::vec3& point) {
+  return colour_at(pixels, camera.screen_position(point, picture_size).value());
 }
 
 /// A wall of 2 m x 2 m in z = 0 that faces the camera.
@@ -54,7 +55,7 @@ protected:
   static std::vector<Rgba8> drawn(const Scene& scene, const Overlay& overlay,
                                   const ScenePicture::Config& config = {}) {
     ScenePicture picture(scene);
-    picture.draw(front_camera(), image, config, overlay);
+    picture.draw(front_camera(), picture_size, config, overlay);
     return picture.pixels();
   }
 
@@ -64,7 +65,7 @@ private:
 
 TEST_F(ScenePictureTest, EmptySceneDrawsNothing) {
   ScenePicture picture(Scene{});
-  picture.draw(front_camera(), image, {});
+  picture.draw(front_camera(), picture_size, {});
   EXPECT_EQ(picture.pixels().size(), 90U * 60);
   EXPECT_THAT(picture.pixels(), Each(background));
   EXPECT_EQ(picture.bounds(), Box::empty());
@@ -76,13 +77,14 @@ TEST_F(ScenePictureTest, LineIsWhereItsPointsAreSeen) {
   const OrbitCamera camera = front_camera();
   for (const float t : {0.02F, 0.3F, 0.5F, 0.98F}) {
     const glm::vec3 p = glm::mix(from, to, t);
-    EXPECT_EQ(at(pixels, camera, p), green) << t;
+    EXPECT_EQ(colour_at(pixels, camera, p), green) << t;
     for (const double aside : {-4.0, 4.0}) {
-      const glm::dvec2 place = camera.screen_position(p, image).value() + glm::dvec2(0, aside);
-      EXPECT_EQ(at(pixels, place), background) << t;
+      const glm::dvec2 place =
+          camera.screen_position(p, picture_size).value() + glm::dvec2(0, aside);
+      EXPECT_EQ(colour_at(pixels, place), background) << t;
     }
   }
-  EXPECT_EQ(at(pixels, camera, glm::mix(from, to, 1.1F)), background);
+  EXPECT_EQ(colour_at(pixels, camera, glm::mix(from, to, 1.1F)), background);
 }
 
 TEST_F(ScenePictureTest, LineFromBehindTheCameraIsDrawnUpToIt) {
@@ -91,8 +93,9 @@ TEST_F(ScenePictureTest, LineFromBehindTheCameraIsDrawnUpToIt) {
   const OrbitCamera camera = front_camera();
   for (const auto& line : {ColouredLine{from, to, green}, ColouredLine{to, from, green}}) {
     const auto pixels = drawn({}, {.lines = {line}});
-    for (const float z : {1.0F, 4.0F, 7.0F}) EXPECT_EQ(at(pixels, camera, {0, -1, z}), green);
-    EXPECT_EQ(at(pixels, {45, 10}), background); // not mirrored at the eye
+    for (const float z : {1.0F, 4.0F, 7.0F})
+      EXPECT_EQ(colour_at(pixels, camera, {0, -1, z}), green);
+    EXPECT_EQ(colour_at(pixels, {45, 10}), background); // not mirrored at the eye
   }
   EXPECT_THAT(drawn({}, {.lines = {{from, {0, 1, 20}, green}}}), Each(background));
 }
@@ -120,8 +123,8 @@ TEST_F(ScenePictureTest, HiddenPartsAreFaint) {
       .lines = {{{0.5F, -9, -1}, {0.5F, 9, -1}, green}, {{-0.5F, -9, 1}, {-0.5F, 9, 1}, green}}};
   const auto pixels = drawn(wall(), overlay), bare = drawn(wall(), {});
   const OrbitCamera camera = front_camera();
-  EXPECT_EQ(at(pixels, camera, before), green);
-  const Rgba8 faint = at(pixels, camera, behind), grey = at(bare, camera, behind);
+  EXPECT_EQ(colour_at(pixels, camera, before), green);
+  const Rgba8 faint = colour_at(pixels, camera, behind), grey = colour_at(bare, camera, behind);
   EXPECT_NE(grey, background);
   EXPECT_GT(faint.g, grey.g + 5);
   EXPECT_LT(faint.g, 230);
@@ -134,9 +137,9 @@ TEST_F(ScenePictureTest, LineInASurfaceIsSeen) {
   ScenePicture picture(wall());
   OrbitCamera camera = front_camera();
   camera.orbit(0.9, 0.3); // depths differ all over the wall
-  picture.draw(camera, image, {}, {.lines = {{from, to, green}}});
+  picture.draw(camera, picture_size, {}, {.lines = {{from, to, green}}});
   for (float t = 0.05F; t < 1; t += 0.05F)
-    EXPECT_EQ(at(picture.pixels(), camera, glm::mix(from, to, t)), green) << t;
+    EXPECT_EQ(colour_at(picture.pixels(), camera, glm::mix(from, to, t)), green) << t;
 }
 
 TEST_F(ScenePictureTest, LightsShowTheirColour) {
@@ -146,10 +149,10 @@ TEST_F(ScenePictureTest, LightsShowTheirColour) {
   scene.lights.add_directional({-1, 0, 0}, {1, 1, 0});
   const OrbitCamera camera = front_camera();
   const auto pixels = drawn(scene, {});
-  EXPECT_EQ(at(pixels, camera, {0.5F, 0, 1}), Rgba8(0, 0, 255, 255));
-  EXPECT_EQ(at(pixels, camera, {-0.5F, 0, 1}), Rgba8(255, 0, 0, 255));
+  EXPECT_EQ(colour_at(pixels, camera, {0.5F, 0, 1}), Rgba8(0, 0, 255, 255));
+  EXPECT_EQ(colour_at(pixels, camera, {-0.5F, 0, 1}), Rgba8(255, 0, 0, 255));
   const glm::dvec3 sun = shown_position(scene.lights[2], {{-1, -1, 0}, {1, 1, 0}});
-  EXPECT_EQ(at(pixels, camera, sun), Rgba8(255, 255, 0, 255));
+  EXPECT_EQ(colour_at(pixels, camera, sun), Rgba8(255, 255, 0, 255));
   EXPECT_THAT(drawn(scene, {}, {.geometry = false, .lights = false}), Each(background));
 }
 
@@ -167,12 +170,12 @@ TEST_F(ScenePictureTest, ClosedRoomIsSeenInto) {
   OrbitCamera camera;
   camera.yaw = 0.4;
   camera.pitch = 0.5;
-  camera.fit(picture.bounds(), image);
-  picture.draw(camera, image, {});
-  EXPECT_EQ(at(picture.pixels(), camera, {2, 1.5F, 2}), Rgba8(255, 0, 0, 255));
+  camera.fit(picture.bounds(), picture_size);
+  picture.draw(camera, picture_size, {});
+  EXPECT_EQ(colour_at(picture.pixels(), camera, {2, 1.5F, 2}), Rgba8(255, 0, 0, 255));
   for (const Rgba8& pixel : picture.pixels()) EXPECT_EQ(pixel.a, 255);
-  picture.draw(camera, image, {.solid = SolidFaces::both});
-  EXPECT_GT(at(picture.pixels(), camera, {2, 1.5F, 2}).g, 50); // behind a wall
+  picture.draw(camera, picture_size, {.solid = SolidFaces::both});
+  EXPECT_GT(colour_at(picture.pixels(), camera, {2, 1.5F, 2}).g, 50); // behind a wall
 }
 
 TEST_F(ScenePictureTest, TracedCameraIsAPyramid) {
@@ -182,7 +185,7 @@ TEST_F(ScenePictureTest, TracedCameraIsAPyramid) {
   const auto pixels = drawn({}, {}, config);
   // Half-way along the edge to its upper right corner; tan 20 degrees, and 4/3 of it to the right.
   const glm::vec3 corner{2 * 0.36397F * 4 / 3, 2 * 0.36397F, 0};
-  EXPECT_EQ(at(pixels, front_camera(), glm::mix(glm::vec3(0, 0, 2), corner, 0.5F)),
+  EXPECT_EQ(colour_at(pixels, front_camera(), glm::mix(glm::vec3(0, 0, 2), corner, 0.5F)),
             ScenePicture::camera_colour);
 }
 
@@ -210,7 +213,7 @@ TEST_F(ScenePictureTest, IsTheSameFarFromTheOrigin) {
   ScenePicture picture(scene);
   OrbitCamera camera = front_camera();
   camera.target = far;
-  picture.draw(camera, image, {}, moved);
+  picture.draw(camera, picture_size, {}, moved);
   EXPECT_EQ(picture.pixels(), near_pixels);
 }
 

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tests/support/float_limits.h>
+
 namespace lightcuts::viz {
 namespace {
 
@@ -13,9 +15,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using Column = ClusterColumn;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 ClusterRow row(std::uint32_t node, std::uint32_t lights, double share = 0) {
   ClusterRow r;

@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tests/support/float_limits.h>
+
 namespace lightcuts::viz {
 namespace {
 
@@ -16,10 +18,10 @@ using testing::Each;
 using testing::Field;
 using testing::SizeIs;
 
-constexpr glm::vec3 at{1, 2, 3}, up{0, 0, 1}, none{0};
+constexpr glm::vec3 shaded_at{1, 2, 3}, up{0, 0, 1}, none{0};
 
-/// A unit cube at x = node, its representative in the middle.
-ClusterRow row(std::uint32_t node, float bound) {
+/// A unit cube shaded_at x = node, its representative in the middle.
+ClusterRow boxed_row(std::uint32_t node, float bound) {
   ClusterRow r;
   r.node = node;
   r.lights = 10;
@@ -36,8 +38,8 @@ OverlayOptions only_boxes() { return {.colour_by = ClusterColour::bound, .lines 
 OverlayOptions only_lines() { return {.boxes = false}; }
 
 TEST(CutOverlay, DrawsTheTwelveEdgesOfABox) {
-  const std::vector<ClusterRow> rows{row(5, 1)};
-  const Overlay overlay = overlay_of(at, none, rows, only_boxes());
+  const std::vector<ClusterRow> rows{boxed_row(5, 1)};
+  const Overlay overlay = overlay_of(shaded_at, none, rows, only_boxes());
   ASSERT_THAT(overlay.lines, SizeIs(12));
   std::set<std::array<float, 6>> edges;
   for (const ColouredLine& line : overlay.lines) {
@@ -49,25 +51,26 @@ TEST(CutOverlay, DrawsTheTwelveEdgesOfABox) {
 }
 
 TEST(CutOverlay, DrawsNoBoxWhereThereIsNoneOrNoExtent) {
-  std::vector<ClusterRow> rows{row(1, 1), row(2, 1)};
+  std::vector<ClusterRow> rows{boxed_row(1, 1), boxed_row(2, 1)};
   rows[0].has_box = false;
   rows[1].box.hi = rows[1].box.lo;
-  EXPECT_THAT(overlay_of(at, none, rows, only_boxes()).lines, SizeIs(0));
+  EXPECT_THAT(overlay_of(shaded_at, none, rows, only_boxes()).lines, SizeIs(0));
 }
 
 TEST(CutOverlay, DrawsTheBoxesOfTheLargestValuesTheLargestOnTop) {
-  const std::vector<ClusterRow> rows{row(0, 3), row(1, 1), row(2, 5), row(3, 2)};
+  const std::vector<ClusterRow> rows{boxed_row(0, 3), boxed_row(1, 1), boxed_row(2, 5),
+                                     boxed_row(3, 2)};
   OverlayOptions options = only_boxes();
   options.most_boxes = 2;
-  const Overlay overlay = overlay_of(at, none, rows, options);
+  const Overlay overlay = overlay_of(shaded_at, none, rows, options);
   ASSERT_THAT(overlay.lines, SizeIs(24));
   EXPECT_EQ(overlay.lines[0].a.x, 0);
   EXPECT_EQ(overlay.lines[12].a.x, 2);
 }
 
 TEST(CutOverlay, ColoursBoxesByTheirValue) {
-  const std::vector<ClusterRow> rows{row(0, 1), row(1, 100)};
-  const Overlay overlay = overlay_of(at, none, rows, only_boxes());
+  const std::vector<ClusterRow> rows{boxed_row(0, 1), boxed_row(1, 100)};
+  const Overlay overlay = overlay_of(shaded_at, none, rows, only_boxes());
   const HeatMapScale scale = cluster_scale(rows, ClusterColour::bound);
   EXPECT_EQ(overlay.lines.front().colour, cluster_colour(1.0, scale));
   EXPECT_EQ(overlay.lines.back().colour, cluster_colour(100.0, scale));
@@ -75,19 +78,19 @@ TEST(CutOverlay, ColoursBoxesByTheirValue) {
 }
 
 TEST(CutOverlay, IsGreyWhereTheErrorIsNotKnown) {
-  const std::vector<ClusterRow> rows{row(0, 1)};
-  const Overlay overlay = overlay_of(at, none, rows, {.lines = false});
+  const std::vector<ClusterRow> rows{boxed_row(0, 1)};
+  const Overlay overlay = overlay_of(shaded_at, none, rows, {.lines = false});
   EXPECT_THAT(overlay.lines, Each(Field(&ColouredLine::colour, unknown_colour)));
 }
 
 TEST(CutOverlay, DrawsLinesToRepresentativesThatTellWhetherTheyAreSeen) {
-  std::vector<ClusterRow> rows{row(0, 1), row(1, 1), row(2, 1)};
+  std::vector<ClusterRow> rows{boxed_row(0, 1), boxed_row(1, 1), boxed_row(2, 1)};
   rows[1].visible = false;
   rows[2].representative = oracle::TreeClaim::unsaid;
-  const Overlay overlay = overlay_of(at, none, rows, only_lines());
+  const Overlay overlay = overlay_of(shaded_at, none, rows, only_lines());
   ASSERT_THAT(overlay.lines, SizeIs(2));
   for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(overlay.lines[i].a, at);
+    EXPECT_EQ(overlay.lines[i].a, shaded_at);
     EXPECT_EQ(overlay.lines[i].b, rows[i].representative_position);
   }
   EXPECT_EQ(overlay.lines[0].colour, seen_colour);
@@ -99,24 +102,24 @@ TEST(CutOverlay, DrawsTheNormalAsAnArrowAsLongAsFitsTheScene) {
   OverlayOptions options;
   options.scene_diagonal = 100;
   for (const glm::vec3& normal : {up, -up, glm::vec3(1, 0, 0), glm::vec3(0.6F, -0.8F, 0)}) {
-    const Overlay overlay = overlay_of(at, normal, {}, options);
+    const Overlay overlay = overlay_of(shaded_at, normal, {}, options);
     ASSERT_THAT(overlay.lines, SizeIs(5));
-    EXPECT_EQ(overlay.lines[0].a, at);
-    EXPECT_LT(glm::length(overlay.lines[0].b - (at + 5.0F * normal)), 1e-5);
+    EXPECT_EQ(overlay.lines[0].a, shaded_at);
+    EXPECT_LT(glm::length(overlay.lines[0].b - (shaded_at + 5.0F * normal)), 1e-5);
     for (int i = 1; i < 5; ++i) {
       EXPECT_EQ(overlay.lines[i].a, overlay.lines[0].b);
       EXPECT_NEAR(glm::length(overlay.lines[i].b - overlay.lines[i].a), 1.077, 1e-3);
     }
   }
-  EXPECT_THAT(overlay_of(at, none, {}, options).lines, SizeIs(0));
+  EXPECT_THAT(overlay_of(shaded_at, none, {}, options).lines, SizeIs(0));
 }
 
 TEST(CutOverlay, DrawsTheSelectedClusterOnTopBrighterAndThicker) {
-  const std::vector<ClusterRow> rows{row(0, 1), row(1, 2), row(2, 3)};
+  const std::vector<ClusterRow> rows{boxed_row(0, 1), boxed_row(1, 2), boxed_row(2, 3)};
   OverlayOptions options = by_bound();
   options.selected = 0;
   options.most_boxes = 1;
-  const Overlay overlay = overlay_of(at, none, rows, options);
+  const Overlay overlay = overlay_of(shaded_at, none, rows, options);
   const std::size_t n = overlay.lines.size();
   ASSERT_EQ(n, 12U + 2U + 12U + 1U) << "box 2, lines 1 and 2, then those of 0";
   for (std::size_t i = 14; i < 26; ++i) {
@@ -128,13 +131,14 @@ TEST(CutOverlay, DrawsTheSelectedClusterOnTopBrighterAndThicker) {
 }
 
 TEST(CutOverlay, DrawsTheSelectedClusterEvenWhereNothingElseIsAskedFor) {
-  const std::vector<ClusterRow> rows{row(0, 1), row(1, 2)};
+  const std::vector<ClusterRow> rows{boxed_row(0, 1), boxed_row(1, 2)};
   const OverlayOptions options{.selected = 1, .boxes = false, .lines = false};
-  EXPECT_THAT(overlay_of(at, none, rows, options).lines, SizeIs(13));
+  EXPECT_THAT(overlay_of(shaded_at, none, rows, options).lines, SizeIs(13));
 }
 
 TEST(ClusterScale, GoesFromTheSmallestToTheLargestValue) {
-  const std::vector<ClusterRow> rows{row(0, 3), row(1, 8), row(2, 0), row(3, 0.5F), row(4, 1)};
+  const std::vector<ClusterRow> rows{boxed_row(0, 3), boxed_row(1, 8), boxed_row(2, 0),
+                                     boxed_row(3, 0.5F), boxed_row(4, 1)};
   const HeatMapScale scale = cluster_scale(rows, ClusterColour::bound);
   EXPECT_EQ(scale.lo, 0.5F);
   EXPECT_EQ(scale.hi, 8);
@@ -142,9 +146,9 @@ TEST(ClusterScale, GoesFromTheSmallestToTheLargestValue) {
 }
 
 TEST(ClusterScale, HasFourDecadesAtMostAndNoInfinity) {
-  const std::vector<ClusterRow> rows{row(0, 1e-20F), row(1, 8),
-                                     row(2, std::numeric_limits<float>::infinity()),
-                                     row(3, std::numeric_limits<float>::quiet_NaN())};
+  const std::vector<ClusterRow> rows{boxed_row(0, 1e-20F), boxed_row(1, 8),
+                                     boxed_row(2, std::numeric_limits<float>::infinity()),
+                                     boxed_row(3, std::numeric_limits<float>::quiet_NaN())};
   const HeatMapScale scale = cluster_scale(rows, ClusterColour::bound);
   EXPECT_FLOAT_EQ(scale.lo, 8e-4F);
   EXPECT_EQ(scale.hi, 8);
@@ -153,7 +157,6 @@ TEST(ClusterScale, HasFourDecadesAtMostAndNoInfinity) {
 
 TEST(ClusterColours, MarkWhatIsNoNumber) {
   const HeatMapScale scale{1, 100, true};
-  constexpr double inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(cluster_colour(std::nullopt, scale), unknown_colour);
   EXPECT_EQ(cluster_colour(std::nan(""), scale), Rgba8(nan_colour, 255));
   EXPECT_EQ(cluster_colour(inf, scale), Rgba8(infinity_colour, 255));

@@ -2,18 +2,15 @@
 #include <viz/model/layers/colouring.h>
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 #include <lightcuts/render/images/film.h>
 
+#include <tests/support/float_limits.h>
 #include <viz/model/layers/all_layers.h>
 
 namespace lightcuts::viz {
 namespace {
-
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 LayerValues with_size(std::size_t count) {
   LayerValues layer;
@@ -27,7 +24,7 @@ LayerValues heat(std::vector<float> values) {
   layer.values = std::move(values);
   return layer;
 }
-LayerValues image(std::vector<glm::vec3> radiance) {
+LayerValues image_layer(std::vector<glm::vec3> radiance) {
   LayerValues layer = with_size(radiance.size());
   layer.image = std::move(radiance);
   return layer;
@@ -44,7 +41,7 @@ TEST(Coloured, ShowsAnImageInSrgbTimesItsExposure) {
     radiance.emplace_back(float(i) / 500, float(i % 10) / 2000, std::pow(2.0F, -float(i) / 50));
   ColourSettings settings;
   settings.exposure = 0.75F;
-  const Coloured shown = coloured(layers::image, image(radiance), settings);
+  const Coloured shown = coloured(layers::image, image_layer(radiance), settings);
   EXPECT_EQ(shown.exposure, 0.75F);
   EXPECT_EQ(shown.size, glm::uvec2(1000, 1));
   for (std::size_t i = 0; i < radiance.size(); ++i)
@@ -52,7 +49,7 @@ TEST(Coloured, ShowsAnImageInSrgbTimesItsExposure) {
 }
 
 TEST(Coloured, ExposesAnImageAsChosenOrAsAskedForOrByItself) {
-  LayerValues layer = image({{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {400, 400, 400}});
+  LayerValues layer = image_layer({{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {400, 400, 400}});
   layer.known[3] = 0;
   const std::vector<glm::vec3> known{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}};
   ColourSettings settings;
@@ -93,7 +90,7 @@ TEST(Coloured, HasColoursOfTheirOwnForWhatIsNoNumber) {
   EXPECT_EQ(shown.pixels[1], infinity_colour);
   EXPECT_EQ(shown.pixels[2], negative_infinity_colour);
   EXPECT_EQ(shown.statistics.nan, 1U);
-  const Coloured picture = coloured(layers::image, image({{1, nan, inf}, {inf, 0, 0}}), {});
+  const Coloured picture = coloured(layers::image, image_layer({{1, nan, inf}, {inf, 0, 0}}), {});
   EXPECT_EQ(picture.pixels[0], nan_colour);
   EXPECT_EQ(picture.pixels[1], infinity_colour);
 }
@@ -106,7 +103,7 @@ TEST(Coloured, TellsWhatIsNotKnownFromWhatSeesNothing) {
   EXPECT_EQ(shown.pixels[0], pending_colour);
   EXPECT_EQ(shown.pixels[1], nothing_colour);
   EXPECT_EQ(shown.pixels[2], heat_colour(3, {0, 3, false}));
-  LayerValues picture = image({{1, 1, 1}, {0, 0, 0}});
+  LayerValues picture = image_layer({{1, 1, 1}, {0, 0, 0}});
   picture.known[0] = 0;
   picture.surface[1] = 0;
   const Coloured seen = coloured(layers::image, picture, {});

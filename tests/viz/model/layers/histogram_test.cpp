@@ -3,21 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tests/support/float_limits.h>
+
 namespace lightcuts::viz {
 namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float inf = std::numeric_limits<float>::infinity();
 
 TEST(Histogram, CountsTheValuesOfEachBin) {
   const std::vector<float> values{0, 0.5F, 1, 1.5F, 2, 2.5F, 3, 4};

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tests/support/float_limits.h>
 #include <tests/viz/support/small_pictures.h>
 #include <viz/model/layers/all_layers.h>
 
@@ -19,10 +19,8 @@ namespace {
 using testing::Each;
 using testing::ElementsAre;
 
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr glm::uvec2 size{32, 24};
-constexpr std::size_t pixels = std::size_t(size.x) * size.y;
+constexpr glm::uvec2 frame_size{32, 24};
+constexpr std::size_t frame_pixels = std::size_t(frame_size.x) * frame_size.y;
 
 /// All that any layer needs, whole.
 const LayerSources& whole() {
@@ -62,11 +60,11 @@ TEST(LayerValues, AreTheirFormulasOfTheRenderings) {
     if (layer == layers::image) continue;
     SCOPED_TRACE(layer->name);
     const LayerValues values = layer_values(layer, whole());
-    ASSERT_EQ(values.values.size(), pixels);
-    EXPECT_EQ(values.size, size);
+    ASSERT_EQ(values.values.size(), frame_pixels);
+    EXPECT_EQ(values.size, frame_size);
     EXPECT_THAT(values.known, Each(1));
     EXPECT_TRUE(values.image.empty());
-    for (std::size_t i = 0; i < pixels; ++i)
+    for (std::size_t i = 0; i < frame_pixels; ++i)
       ASSERT_FLOAT_EQ(values.values[i], float(expected(layer, i))) << i;
   }
 }
@@ -83,18 +81,18 @@ TEST(LayerValues, HaveMoreThanOneValue) {
 TEST(LayerValues, OfTheImageAreRadianceAndEmission) {
   const LayerValues values = layer_values(layers::image, whole());
   const Rendering& r = whole().frame->rendering();
-  ASSERT_EQ(values.image.size(), pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
+  ASSERT_EQ(values.image.size(), frame_pixels);
+  for (std::size_t i = 0; i < frame_pixels; ++i) {
     ASSERT_EQ(values.image[i], r.radiance[i] + r.emission[i]);
     ASSERT_EQ(values.surface[i] != 0,
-              small_scene()->view().at({i % size.x, i / size.x}).has_value());
+              small_scene()->view().at({i % frame_size.x, i / frame_size.x}).has_value());
   }
 }
 
 TEST(LayerValues, SlackIsAtLeastOneWhereThereIsAnError) {
   const LayerValues slack = layer_values(layers::slack, whole());
   const LayerValues error = layer_values(layers::error, whole());
-  for (std::size_t i = 0; i < pixels; ++i)
+  for (std::size_t i = 0; i < frame_pixels; ++i)
     if (error.values[i] > 0) {
       EXPECT_GE(slack.values[i], 1);
     }
@@ -116,9 +114,9 @@ TEST(LayerValues, ShowTheNearestPixelThatAllPicturesKnow) {
       sources.reference = begun<Frame>(small_key(methods::reference));
     const LayerValues values = layer_values(layers::error, sources);
     EXPECT_THAT(values.known, Each(1));
-    for (std::size_t i = 0; i < pixels; ++i) {
-      const std::size_t x = i % size.x / 16 * 16, y = i / size.x / 16 * 16;
-      ASSERT_FLOAT_EQ(values.values[i], float(expected(layers::error, y * size.x + x))) << i;
+    for (std::size_t i = 0; i < frame_pixels; ++i) {
+      const std::size_t x = i % frame_size.x / 16 * 16, y = i / frame_size.x / 16 * 16;
+      ASSERT_FLOAT_EQ(values.values[i], float(expected(layers::error, y * frame_size.x + x))) << i;
     }
   }
 }
@@ -158,8 +156,8 @@ TEST(LayerValues, GrowTheirVersionWithEveryPictureThatTheyNeed) {
 TEST(LayerValue, IsThatOfThePixelItselfOnceItIsKnown) {
   const auto coarse = begun<Frame>(small_key());
   const LayerSources sources{coarse, nullptr, nullptr};
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const glm::uvec2 pixel{i % size.x, i / size.x};
+  for (std::size_t i = 0; i < frame_pixels; ++i) {
+    const glm::uvec2 pixel{i % frame_size.x, i / frame_size.x};
     const auto value = layer_value(layers::cut_size, sources, pixel);
     EXPECT_EQ(value.has_value(), pixel.x % 16 == 0 && pixel.y % 16 == 0);
     if (value) {

@@ -2,14 +2,13 @@
 #include <viz/model/layers/value_text.h>
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
+#include <tests/support/float_limits.h>
+
 namespace lightcuts::viz {
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 TEST(ShortText, HasFourDigits) {
   EXPECT_EQ(short_text(0.123456), "0.1235");

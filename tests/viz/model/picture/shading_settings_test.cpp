@@ -21,42 +21,42 @@ void expect_same(const Cut& a, const Cut& b) {
   }
 }
 
-constexpr CutConfig config{0.1F, 1000, 0};
+constexpr CutConfig chosen_config{0.1F, 1000, 0};
 
-void expect_cuts_by(const ClusterRules& rules, Method method,
-                    const ShadingSettings& settings = {}) {
+void expect_tree_cuts_by(const ClusterRules& rules, Method method,
+                         const ShadingSettings& settings = {}) {
   SCOPED_TRACE(method->name);
   const auto tree = tree_for(method, settings, *small_scene());
-  CutSelector select(*small_scene()->tree(), config, rules);
+  CutSelector select(*small_scene()->tree(), chosen_config, rules);
   for (const glm::uvec2 pixel : some_pixels) {
     const SmallPoint at(pixel);
-    expect_same(tree->select(at.p.point, config, at), select(at.p.point, at));
+    expect_same(tree->select(at.p.point, chosen_config, at), select(at.p.point, at));
   }
 }
 
 TEST(TreeFor, CutsAsTheMethodDoes) {
   ShadingSettings settings;
-  expect_cuts_by(ClusterRules(), methods::lightcuts);
-  expect_cuts_by(ClusterRules(), methods::reference);
-  expect_cuts_by(ClusterRules(), methods::stochastic);
-  expect_cuts_by(methods::paper.rules, methods::paper);
-  expect_cuts_by(methods::unscaled.rules, methods::unscaled);
-  expect_cuts_by(methods::no_specular_bound.rules, methods::no_specular_bound);
+  expect_tree_cuts_by(ClusterRules(), methods::lightcuts);
+  expect_tree_cuts_by(ClusterRules(), methods::reference);
+  expect_tree_cuts_by(ClusterRules(), methods::stochastic);
+  expect_tree_cuts_by(methods::paper.rules, methods::paper);
+  expect_tree_cuts_by(methods::unscaled.rules, methods::unscaled);
+  expect_tree_cuts_by(methods::no_specular_bound.rules, methods::no_specular_bound);
 }
 
 TEST(TreeFor, HasTheChosenRulesForLightcutsAndNoOtherMethod) {
   ShadingSettings settings;
   settings.rules.bound = BoundRule::product;
   settings.rules.estimate = EstimateRule::representative;
-  expect_cuts_by(methods::paper.rules, methods::lightcuts, settings);
-  expect_cuts_by(methods::paper.rules, methods::reference, settings);
-  expect_cuts_by(methods::unscaled.rules, methods::unscaled, settings);
-  expect_cuts_by(methods::no_specular_bound.rules, methods::no_specular_bound, settings);
-  expect_cuts_by(ClusterRules(), methods::stochastic_intensity, settings);
+  expect_tree_cuts_by(methods::paper.rules, methods::lightcuts, settings);
+  expect_tree_cuts_by(methods::paper.rules, methods::reference, settings);
+  expect_tree_cuts_by(methods::unscaled.rules, methods::unscaled, settings);
+  expect_tree_cuts_by(methods::no_specular_bound.rules, methods::no_specular_bound, settings);
+  expect_tree_cuts_by(ClusterRules(), methods::stochastic_intensity, settings);
 }
 
 template <class Importance>
-void expect_draws_by(Method method, std::uint64_t seed) {
+void expect_tree_draws_by(Method method, std::uint64_t seed) {
   SCOPED_TRACE(method->name);
   ShadingSettings settings;
   settings.seed = seed;
@@ -65,15 +65,15 @@ void expect_draws_by(Method method, std::uint64_t seed) {
   const SmallPoint at({16, 12});
   for (oracle::SubjectTree* tree : {first.get(), other.get()})
     for (const std::uint64_t query : {0U, 400U, 77U}) {
-      BasicStochasticCutSelector<Importance> select(*small_scene()->tree(), config, seed);
-      expect_same(tree->draw(at.p.point, config, query, at), select(at.p.point, query, at));
+      BasicStochasticCutSelector<Importance> select(*small_scene()->tree(), chosen_config, seed);
+      expect_same(tree->draw(at.p.point, chosen_config, query, at), select(at.p.point, query, at));
     }
 }
 
 TEST(TreeFor, DrawsByTheSeedThatIsChosen) {
   for (const std::uint64_t seed : {1U, 2U, 77U}) {
-    expect_draws_by<HierarchicalImportance>(methods::stochastic, seed);
-    expect_draws_by<IntensityImportance>(methods::stochastic_intensity, seed);
+    expect_tree_draws_by<HierarchicalImportance>(methods::stochastic, seed);
+    expect_tree_draws_by<IntensityImportance>(methods::stochastic_intensity, seed);
   }
 }
 

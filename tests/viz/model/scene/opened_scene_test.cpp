@@ -21,7 +21,6 @@ using testing::HasSubstr;
 std::shared_ptr<const OpenedScene> open(const SceneRequest& request) {
   return std::make_shared<const OpenedScene>(request);
 }
-SceneRequest small_request() { return {.spec = small_spec, .image_size = glm::uvec2(32, 24)}; }
 
 TEST(OpenedScene, HasTheSceneItsTreeAndWhatTheyNeed) {
   const OpenedScene& scene = *small_scene();

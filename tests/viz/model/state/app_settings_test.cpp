@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-AppSettings chosen() {
+AppSettings chosen_settings() {
   AppSettings s;
   s.window_size = {1920, 1017};
   s.details_share = 0.31F;
@@ -34,8 +34,8 @@ TEST(AppSettings, PersistInAFolderThatIsMade) {
   const auto where = folder.path / "deep" / "lightcuts-viz";
   std::string problem;
   EXPECT_EQ(load_settings(where, problem), AppSettings());
-  save_settings(chosen(), where);
-  EXPECT_EQ(load_settings(where, problem), chosen());
+  save_settings(chosen_settings(), where);
+  EXPECT_EQ(load_settings(where, problem), chosen_settings());
   EXPECT_EQ(problem, "") << "no file at all is none, either";
 }
 
@@ -57,7 +57,7 @@ TEST(AppSettings, PersistWithEveryFieldUnlikeItsDefault) {
 
 TEST(AppSettings, NeedNoFolder) {
   std::string problem;
-  save_settings(chosen(), {});
+  save_settings(chosen_settings(), {});
   EXPECT_EQ(load_settings({}, problem), AppSettings());
   EXPECT_EQ(problem, "");
 }
@@ -65,7 +65,7 @@ TEST(AppSettings, NeedNoFolder) {
 TEST(AppSettings, SurviveABrokenFile) {
   const TemporaryFolder folder;
   const auto file = folder.path / "settings.json";
-  save_settings(chosen(), folder.path);
+  save_settings(chosen_settings(), folder.path);
   const std::string good = content_of(file);
   for (const std::string& bad :
        {std::string(), std::string("{}"), std::string("[1]"), good.substr(0, good.size() / 2),
@@ -80,7 +80,7 @@ TEST(AppSettings, SurviveABrokenFile) {
 TEST(AppSettings, SurviveMembersOfAnotherKind) {
   const TemporaryFolder folder;
   const auto file = folder.path / "settings.json";
-  save_settings(chosen(), folder.path);
+  save_settings(chosen_settings(), folder.path);
   const std::string good = content_of(file);
   for (const auto& [from, to] :
        {std::pair("1920", "\"wide\""), std::pair("\"viridis\"", "\"jet\""),
@@ -97,7 +97,7 @@ TEST(AppSettings, SurviveMembersOfAnotherKind) {
 
 TEST(AppSettings, OpenAWindowThatCanBeUsed) {
   const TemporaryFolder folder;
-  AppSettings mad = chosen();
+  AppSettings mad = chosen_settings();
   mad.window_size = {1, 1'000'000};
   mad.details_share = -3;
   mad.tree_share = 40;

@@ -21,6 +21,7 @@
 #include <lightcuts/render/io/models/imported_texture.h>
 #include <lightcuts/render/io/models/obj_check.h>
 #include <lightcuts/render/scene/framing.h>
+#include <lightcuts/render/scene/is_finite.h>
 
 namespace lightcuts {
 namespace {
@@ -30,10 +31,6 @@ glm::dmat4 matrix_of(const aiMatrix4x4& m) { // Assimp's rows are GLM's columns
           {m.a2, m.b2, m.c2, m.d2},
           {m.a3, m.b3, m.c3, m.d3},
           {m.a4, m.b4, m.c4, m.d4}};
-}
-
-bool is_finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 /// Copies Assimp's scene into ours, node by node.
