@@ -115,14 +115,18 @@ Case lottery(Dice& dice) {
   return c;
 }
 
-/// What goes wrong by the number of lights does so at powers of 2 and of 10, and next to them.
+/// What goes wrong by the number of lights does so at powers of 2 and of 10, and next to them: most
+/// often above one, so that these come first.
 const std::vector<std::uint32_t>& ladder() {
   static const std::vector<std::uint32_t> list = [] {
-    std::vector<std::uint32_t> sizes{100, 1000, 10'000, 100'000};
-    for (std::uint32_t power = 1U << 7; power <= 1U << 17; power *= 2)
-      sizes.insert(sizes.end(), {power - 1, power, power + 1});
-    std::sort(sizes.begin(), sizes.end());
-    return sizes;
+    std::vector<std::uint32_t> above{100, 1000, 10'000, 100'000}, others;
+    for (std::uint32_t power = 1U << 7; power <= 1U << 17; power *= 2) {
+      above.push_back(power + 1);
+      others.insert(others.end(), {power - 1, power});
+    }
+    std::sort(above.begin(), above.end());
+    above.insert(above.end(), others.begin(), others.end());
+    return above;
   }();
   return list;
 }

@@ -46,7 +46,7 @@ void add(const PointAnswers& of, std::uint32_t node, std::span<const Wide> each,
 }
 
 /// Of all clusters of a tree together: one may be estimated as badly as its bound allows.
-void check(const PointAnswers& of, NodeRange nodes, const Recorder& record) {
+void check_estimates(const PointAnswers& of, NodeRange nodes, const Recorder& record) {
   const Topology& tree = of.topology();
   if (nodes.begin != 0 || nodes.end != tree.size() || tree.size() <= least_clusters) return;
   std::vector<Wide> each;
@@ -76,7 +76,7 @@ const PropertyInfo property::estimates_match_clusters{
                "drawn by intensity, or 0.05; of 48 clusters or more",
     .severity = Severity::waste,
     .needs = only(Part::bounds) | only(Part::estimates),
-    .of_clusters = check,
+    .of_clusters = check_estimates,
 };
 
 } // namespace lightcuts::oracle

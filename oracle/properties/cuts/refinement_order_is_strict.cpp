@@ -34,7 +34,7 @@ std::string fault_in_order(const Subject& subject) {
   return {};
 }
 
-void check(const Subject& subject, const Recorder& record) {
+void check_strictness(const Subject& subject, const Recorder& record) {
   const std::string fault = fault_in_order(subject);
   record(fault.empty(), [&] { return fault; });
 }
@@ -47,7 +47,7 @@ const PropertyInfo property::refinement_order_is_strict{
     .formula = "not a < a, not a < b < a; neither a < b nor b < a is transitive; also for "
                "infinite bounds",
     .needs = only(Part::refinement_order),
-    .of_subject = check,
+    .of_subject = check_strictness,
 };
 
 } // namespace lightcuts::oracle

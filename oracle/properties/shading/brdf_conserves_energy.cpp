@@ -28,7 +28,7 @@ void check_lobe(const OneLobe& lobe, const Recorder& record) {
   }
 }
 
-void check(const Lobe& lobe, const Recorder& record) {
+void check_energy(const Lobe& lobe, const Recorder& record) {
   std::visit([&](const auto& one) { check_lobe(one, record); }, lobe);
 }
 
@@ -40,7 +40,7 @@ const PropertyInfo property::brdf_conserves_energy{
                  "being 1.",
     .formula = "integral of f n.l over the hemisphere <= 1 + error of the quadrature; Ward's, near "
                "the horizon: <= max(1, min(0.068, 0.37 alpha^1.5) / sqrt(n.v)) + error",
-    .of_lobe = check,
+    .of_lobe = check_energy,
 };
 
 } // namespace lightcuts::oracle

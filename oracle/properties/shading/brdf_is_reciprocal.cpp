@@ -10,7 +10,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const ShadingPoint& point, const Light& light, const Recorder& record) {
+void check_reciprocity(const ShadingPoint& point, const Light& light, const Recorder& record) {
   const glm::vec3 &n = point.normal(), &v = point.to_viewer();
   const glm::dvec3 q =
       glm::dvec3(light.position) - glm::dvec3(viewed_from(light.kind, point.position()));
@@ -38,7 +38,7 @@ const PropertyInfo property::brdf_is_reciprocal{
     .name = "brdf-is-reciprocal",
     .statement = "A surface reflects as much from l to v as from v to l.",
     .formula = "|f(l,v) - f(v,l)| n.l n.v <= rounding of both, per channel",
-    .of_light = check,
+    .of_light = check_reciprocity,
 };
 
 } // namespace lightcuts::oracle

@@ -9,7 +9,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-void check(const RayCase& of, const Recorder& record) {
+void check_ray(const RayCase& of, const Recorder& record) {
   const Scene& scene = of.view.scene();
   const Light& light = scene.lights[of.light];
   // A light behind the surface is never asked for.
@@ -37,7 +37,7 @@ const PropertyInfo property::occlusion_equals_brute_force{
     .formula = "the answer of the tree of triangles = that of testing each, where rounding can "
                "decide it",
     .needs = only(Part::occlusion),
-    .of_ray = check,
+    .of_ray = check_ray,
 };
 
 } // namespace lightcuts::oracle

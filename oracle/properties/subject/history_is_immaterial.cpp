@@ -101,7 +101,7 @@ std::string difference_of(const Answers& old, const Answers& fresh) {
   return {};
 }
 
-void check(const HistoryCase& of, const Recorder& record) {
+void check_history(const HistoryCase& of, const Recorder& record) {
   const Case& on = of.on;
   const LightSet lights = on.light_set();
   const Questions questions(of.subject, on);
@@ -132,7 +132,7 @@ const PropertyInfo property::history_is_immaterial{
     .name = "history-is-immaterial",
     .statement = "What was built and asked before does not change an answer.",
     .formula = "radiance, certified error, clusters, bounds, draws: the bits of a new tree",
-    .of_history = check,
+    .of_history = check_history,
 };
 
 } // namespace lightcuts::oracle
