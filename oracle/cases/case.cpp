@@ -116,17 +116,22 @@ Case lottery(Dice& dice) {
 }
 
 /// What goes wrong by the number of lights does so at powers of 2 and of 10, and next to them: most
-/// often above one, so that these come first.
+/// often above one, so that these come first. Numbers that take seconds come last.
 const std::vector<std::uint32_t>& ladder() {
   static const std::vector<std::uint32_t> list = [] {
-    std::vector<std::uint32_t> above{100, 1000, 10'000, 100'000}, others;
-    for (std::uint32_t power = 1U << 7; power <= 1U << 17; power *= 2) {
-      above.push_back(power + 1);
-      others.insert(others.end(), {power - 1, power});
-    }
-    std::sort(above.begin(), above.end());
-    above.insert(above.end(), others.begin(), others.end());
-    return above;
+    std::vector<std::uint32_t> sizes;
+    const auto add = [&sizes](std::uint32_t first, std::uint32_t last, std::vector<int> off) {
+      for (std::uint32_t power = first; power <= last; power *= 2)
+        for (const int i : off) sizes.push_back(power + std::uint32_t(i));
+    };
+    sizes = {100, 1000, 10'000};
+    add(1U << 7, 1U << 14, {1});
+    std::sort(sizes.begin(), sizes.end());
+    add(1U << 7, 1U << 14, {-1, 0});
+    add(1U << 15, 1U << 17, {1});
+    sizes.push_back(100'000);
+    add(1U << 15, 1U << 17, {-1, 0});
+    return sizes;
   }();
   return list;
 }

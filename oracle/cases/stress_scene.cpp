@@ -273,10 +273,11 @@ Scene make_peak_scene(Dice& dice, int count, const Choice& choice) {
     const glm::dvec3 across = random_unit();
     const glm::dvec3 c = across - glm::dot(across, e) * e;
     const double on_line = peak_on_line(n, c, e);
-    if (std::isfinite(on_line)) l = c + on_line * e;
+    const glm::dvec3 on_edge = c + on_line * e;
+    if (std::isfinite(on_line) && glm::length(on_edge) > 1e-6) l = on_edge;
   }
   const glm::vec3 at = finite(x + distance * l);
-  const glm::vec3 towards = about_unit(dice, glm::length(l) > 0 ? -glm::normalize(l) : -n);
+  const glm::vec3 towards = about_unit(dice, -glm::normalize(l));
   const LightKind usual = choice.kind ? *choice.kind : LightKind(dice.below(light_kind_count));
   const double apart = std::pow(10.0, -dice.uniform(3, 7));
   const bool dark = dice.one_in(2);

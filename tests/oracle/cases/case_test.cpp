@@ -101,7 +101,7 @@ TEST(RandomCase, HasAllThatLightsAndSurfacesCanBe) {
     met["one light"] += c.lights.size() == 1 ? 1 : 0;
     met["many lights"] += c.lights.size() > 16 ? 1 : 0;
   }
-  EXPECT_EQ(met.size(), 20U);
+  EXPECT_EQ(met.size(), 21U);
   for (const auto& [what, times] : met) EXPECT_GT(times, 50) << what;
 }
 
@@ -228,7 +228,7 @@ TEST(RandomCase, HasManyLightsOfTellingNumbers) {
   for (std::uint64_t i = 0; i < 4000; ++i)
     if (const std::uint32_t many = many_lights_at(i)) numbers.push_back(many);
   EXPECT_EQ(*std::is_sorted_until(numbers.begin(), numbers.end()), 127U);
-  EXPECT_EQ(*(std::is_sorted_until(numbers.begin(), numbers.end()) - 1), 131073U);
+  EXPECT_EQ(*(std::is_sorted_until(numbers.begin(), numbers.end()) - 1), 16385U);
   for (const std::uint32_t number : {100U, 1023U, 1024U, 1025U, 65537U, 100'000U, 131073U})
     EXPECT_EQ(std::count(numbers.begin(), numbers.end(), number), 1) << number;
   for (std::uint64_t i = 0; i < 1200; ++i) {

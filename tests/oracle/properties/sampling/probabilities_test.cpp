@@ -32,7 +32,7 @@ TEST(Probabilities, AreRightForUniformDraws) {
   EXPECT_EQ(tally[Property::probabilities_sum_to_one].cases, 7U);
   EXPECT_EQ(tally[Property::contributing_lights_are_drawn].cases, 4U + 2 * 4U);
   // Ten numbers each, and both sides of the root's three borders.
-  EXPECT_EQ(tally[Property::draws_state_their_probability].cases, 7U * 10 + 2 * 3);
+  EXPECT_EQ(tally[Property::draws_state_their_probability].cases, 7U * 10 + 2 * 3 + 10);
 }
 
 TEST(Probabilities, ConvictASumThatIsNotOne) {
