@@ -40,8 +40,9 @@ gen::View view_beside_light(const LightSet& lights, const Topology& topology, st
   const double scale = size > 0 ? size : std::max(1e-3, std::abs(double(out(*outmost))));
   gen::View view = otherwise;
   view.position = light.position;
-  view.position[axis] =
-      Dice::finite(double(light.position[axis]) + side * std::ldexp(scale, -dice.between(0, 20)));
+  const float at = light.position[axis];
+  view.position[axis] = Dice::finite(double(at) + side * std::ldexp(scale, -dice.between(0, 20)));
+  if (view.position[axis] == at) view.position[axis] = std::nextafter(at, side * 1e38F);
   view.normal = glm::vec3(0);
   view.normal[axis] = -side;
   if (dice.one_in(2)) view.to_viewer = view.normal;

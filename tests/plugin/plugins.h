@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -59,6 +60,17 @@ inline pid_t child_of(pid_t parent) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return 0;
+}
+
+/// A child of the process that has one itself, and that one, once there are such.
+inline std::pair<pid_t, pid_t> child_and_grandchild_of(pid_t parent) {
+  for (int i = 0; i < 1000; ++i) {
+    for (const pid_t child : children_of(parent))
+      if (const auto grandchildren = children_of(child); !grandchildren.empty())
+        return {child, grandchildren.front()};
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return {0, 0};
 }
 
 inline bool is_running(pid_t process) {

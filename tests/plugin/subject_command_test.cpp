@@ -14,7 +14,6 @@ namespace lightcuts {
 namespace {
 
 using nlohmann::json;
-using oracle::child_of;
 using oracle::ends;
 using oracle::is_running;
 using oracle::plugin_file;
@@ -122,13 +121,13 @@ TEST(SubjectOption, LeavesNoProcessWhereTheOracleIsKilled) {
   std::vector<char*> argv;
   for (std::string& a : arguments) argv.push_back(a.data());
   argv.push_back(nullptr);
-  pid_t oracle = 0;
-  ASSERT_EQ(posix_spawn(&oracle, argv[0], nullptr, nullptr, argv.data(), environ), 0);
-  const pid_t host = child_of(oracle), sleeper = child_of(host); // both hang
+  pid_t program = 0;
+  ASSERT_EQ(posix_spawn(&program, argv[0], nullptr, nullptr, argv.data(), environ), 0);
+  const auto [host, sleeper] = oracle::child_and_grandchild_of(program); // both hang
   EXPECT_TRUE(is_running(host));
   EXPECT_TRUE(is_running(sleeper));
-  kill(oracle, SIGKILL);
-  waitpid(oracle, nullptr, 0);
+  kill(program, SIGKILL);
+  waitpid(program, nullptr, 0);
   EXPECT_TRUE(ends(host));
   EXPECT_TRUE(ends(sleeper));
 }

@@ -83,8 +83,8 @@ TEST(Check, VisitsAtLeastSoManyPairs) {
 TEST(Check, JudgesTwoCutsAtEachPointAndAnExactOneAtEveryEighth) {
   const CheckResult result = check_library(floor_scene(10), check_config(19 * 17));
   EXPECT_EQ(result.points, 17U);
-  // And three of the excerpt at the first one.
-  EXPECT_EQ(result.tally[Property::cut_partitions_lights].cases, 2U * 17 + 3 + 3);
+  // None at the two beside lights; and three of the excerpt at the first one.
+  EXPECT_EQ(result.tally[Property::cut_partitions_lights].cases, 2U * (17 - 2) + 3 + 3);
   EXPECT_EQ(result.tally[Property::zero_threshold_is_exact].cases, 3U + 1);
 }
 

@@ -191,7 +191,8 @@ TEST(Shrunk, StillFailsAndNothingSimplerDoes) {
     EXPECT_EQ(failure_of(subject, small.property, small.on), small.message);
     for (const Case& c : simpler(small.on))
       EXPECT_FALSE(failure_of(subject, small.property, c)) << text_of(c);
-    EXPECT_EQ(small.on.lights.size(), 3U); // the fewest of which this subject errs
+    EXPECT_EQ(small.on.lights.size(), 3U) // the fewest of which this subject errs
+        << seed << ' ' << info(small.property).name << ": " << small.message;
     EXPECT_EQ(small.on.views.size(), 1U);
     EXPECT_THAT(small.on.triangles, IsEmpty());
     EXPECT_EQ(small.on.seed, 1U);

@@ -25,7 +25,7 @@ std::filesystem::path counterexample_file(const TemporaryFolder& folder, const c
 
 TEST(GuiCounterexample, OpensAtTheRightNodeWithBoundAndTruthSideBySide) {
   const TemporaryFolder folder;
-  const auto file = counterexample_file(folder, "mutant:intensity-of-representative");
+  const auto file = counterexample_file(folder, "mutant:cosine-of-centre");
   Robot robot(small_room());
   robot.app().drop(file.string()); // as when it is dropped on the window
   robot.settle();

@@ -13,7 +13,7 @@
 
 namespace lightcuts::viz {
 
-inline const char* const broken_bound = "mutant:intensity-of-representative";
+inline const char* const broken_bound = "mutant:cosine-of-centre";
 inline const char* const broken_cut = "mutant:capacity-off-by-one";
 
 /// What the oracle finds of a mutant, as simple as it gets.

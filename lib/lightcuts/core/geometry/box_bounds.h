@@ -198,7 +198,7 @@ template <class Falloff>
                                       Falloff&& falloff) {
   // n.q falloff lies between 2^-558 and 2^149, |q|^2 between 2^-298 and 2^262: squares are normal
   // so.
-  constexpr double scaled_up = 0x1p200;
+  constexpr double scaled_up = 0x1p180;
   double dots[3][2], squares[3][2];
   double scale = 0;
   for (int i = 0; i < 3; ++i)
