@@ -8,6 +8,8 @@
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/core/jobs/seconds_since.h>
 #include <oracle/campaign/ladder.h>
+#include <oracle/cases/random_case.h>
+#include <oracle/cases/simpler_case.h>
 
 namespace lightcuts::oracle {
 namespace {

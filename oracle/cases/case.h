@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -91,21 +90,5 @@ inline constexpr std::size_t many_lights = 1024;
 /// Among how many cases with draws, in one run, the rate of false alarms is shared: no run has
 /// more.
 inline constexpr std::uint64_t most_cases_with_draws = 10'000;
-
-/// The index-th random case of a seed: as gen::make_scene() has it, with one to three views; one in
-/// eight with a few triangles; one in 500 to be judged by many draws; one in 100 of many lights,
-/// 2^k + 1 and 10^k in ascending order, then 2^k - 1 and 2^k, up to 2^14 and then to 2^17; one in
-/// twelve with a history, which is very long in one of 4000. Same arguments, same bits.
-[[nodiscard]] Case random_case(std::uint64_t seed, std::uint64_t index);
-
-/// How many lights random_case() will have there, if these are many; else 0.
-[[nodiscard]] std::uint32_t many_lights_at(std::uint64_t index);
-
-/// Hands cases that are simpler to the visitor, the simplest first, until it returns true; none
-/// for the simplest of all. Each is made when its turn has come. Returns whether the visitor did.
-bool visit_simpler(const Case& of, const std::function<bool(Case&)>& visitor);
-
-/// All of them: for cases of few lights.
-[[nodiscard]] std::vector<Case> simpler(const Case& of);
 
 } // namespace lightcuts::oracle

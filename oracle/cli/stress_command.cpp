@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <oracle/campaign/hunt.h>
+#include <oracle/cases/random_case.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
 #include <oracle/cli/counterexample_file.h>

@@ -13,6 +13,7 @@
 #include <lightcuts/render/io/open_scene.h>
 #include <oracle/campaign/check.h>
 #include <oracle/campaign/hunt.h>
+#include <oracle/cases/random_case.h>
 #include <oracle/properties/judge.h>
 
 #include <tests/plugin/plugins.h>

@@ -7,6 +7,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <oracle/cases/random_case.h>
+#include <oracle/cases/simpler_case.h>
 #include <oracle/mutants/mutants.h>
 
 #include <tests/oracle/support/case_text.h>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/cases/case.h>
+#include <oracle/cases/random_case.h>
+#include <oracle/cases/simpler_case.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <oracle/cases/random_case.h>
 #include <oracle/counterexamples/counterexample_json.h>
 
 #include <fstream>

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <oracle/cases/random_case.h>
 #include <oracle/mutants/mutants.h>
 #include <oracle/subjects/library_subject.h>
 

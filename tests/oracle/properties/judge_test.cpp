@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <oracle/cases/random_case.h>
 #include <oracle/mutants/mutants.h>
 #include <tests/oracle/support/made_subject.h>
 

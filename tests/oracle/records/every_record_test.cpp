@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <oracle/cases/case_text.h>
+#include <oracle/cases/simpler_case.h>
 #include <oracle/counterexamples/as_test.h>
 #include <oracle/counterexamples/counterexample_json.h>
 #include <oracle/records/record_literal.h>

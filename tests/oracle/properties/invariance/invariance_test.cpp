@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <oracle/cases/random_case.h>
+
 #include <tests/oracle/support/made_subject.h>
 
 namespace lightcuts::oracle {

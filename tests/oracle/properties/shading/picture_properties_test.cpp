@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <lightcuts/render/view/renderer.h>
+#include <oracle/cases/random_case.h>
 #include <tests/oracle/support/made_subject.h>
 
 namespace lightcuts::oracle {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <lightcuts/render/io/open_scene.h>
 #include <lightcuts/render/view/scene_view.h>
+#include <oracle/cases/random_case.h>
 
 namespace lightcuts::viz {
 namespace {

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lightcuts/render/view/scene_features.h>
+#include <oracle/cases/random_case.h>
 #include <oracle/truth/truth.h>
 
 #include <tests/render/support/refusal.h>
