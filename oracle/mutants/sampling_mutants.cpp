@@ -87,22 +87,71 @@ protected:
   }
 };
 
+/// Where a draw goes from a cluster: to the first child or the second, with that probability, and
+/// by which number from there.
+struct Step {
+  bool to_first;
+  double probability, number;
+};
+
+Step step_by(const ChildShares& share, double u) {
+  const bool first = u < share.first;
+  const double p = first ? share.first : share.second;
+  return {first, p, std::min((first ? u : u - share.first) / p, 1 - 0x1p-53)};
+}
+
+/// Draws from the cluster by shares(node) of its children, each step as step(shares, u) has it.
+template <class Shares, class StepBy>
+DrawnLight descended(const LightTree& tree, std::uint32_t node, double u, const Shares& shares,
+                     const StepBy& step) {
+  double p = 1;
+  while (!tree.node(node).is_leaf()) {
+    const ChildShares share = shares(node);
+    if (share.first == 0 && share.second == 0) return {};
+    const Step next = step(share, u);
+    u = next.number;
+    p *= next.probability;
+    node = tree.node(node).first_child + (next.to_first ? 0 : 1);
+  }
+  return {tree.node(node).representative, p};
+}
+
+/// Draws by importance, each step by another rule.
+template <Step step(const ChildShares&, double u)>
+class OtherSteps : public CopiedPerThread<OtherSteps<step>, OtherDraws> {
+public:
+  using CopiedPerThread<OtherSteps<step>, OtherDraws>::CopiedPerThread;
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
+    const auto shares = [&](std::uint32_t i) {
+      return HierarchicalImportance::shares(this->tree(), i, point);
+    };
+    return descended(this->tree(), node, u, shares, step);
+  }
+};
+
+/// Goes on with u p where it should with u / p.
+Step inverse_step(const ChildShares& share, double u) {
+  const Step right = step_by(share, u);
+  return {right.to_first, right.probability,
+          (right.to_first ? u : u - share.first) * right.probability};
+}
+
+/// Goes to the first child for u up to its share, and at u = 0 to one that has none, as if it had
+/// the least.
+Step border_is_first_step(const ChildShares& share, double u) {
+  if (u != share.first) return step_by(share, u);
+  const double p = std::max(share.first, min_share);
+  return {true, p, std::min(u / p, 1 - 0x1p-53)};
+}
+
 /// Draws by other shares of the children.
 template <ChildShares shares(const LightTree&, std::uint32_t node, const ShadingPoint&)>
 class OtherShares : public CopiedPerThread<OtherShares<shares>, OtherDraws> {
 public:
   using CopiedPerThread<OtherShares<shares>, OtherDraws>::CopiedPerThread;
   DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
-    double p = 1;
-    while (!this->tree().node(node).is_leaf()) {
-      const ChildShares share = shares(this->tree(), node, point);
-      if (share.first == 0 && share.second == 0) return {};
-      const bool first = u < share.first;
-      u = std::min(first ? u / share.first : (u - share.first) / share.second, 1 - 0x1p-53);
-      p *= first ? share.first : share.second;
-      node = this->tree().node(node).first_child + (first ? 0 : 1);
-    }
-    return {this->tree().node(node).representative, p};
+    const auto of = [&](std::uint32_t i) { return shares(this->tree(), i, point); };
+    return descended(this->tree(), node, u, of, step_by);
   }
   std::vector<double> probabilities(std::uint32_t node, const ShadingPoint& point,
                                     std::span<const std::uint32_t> lights) override {
@@ -139,24 +188,6 @@ ChildShares shares_by_centre(const LightTree& tree, std::uint32_t node, const Sh
   return shares_of(weight(child), weight(child + 1));
 }
 
-/// Goes on with u p where it should with u / p.
-class InverseProbability : public CopiedPerThread<InverseProbability, OtherDraws> {
-public:
-  using CopiedPerThread<InverseProbability, OtherDraws>::CopiedPerThread;
-  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
-    double p = 1;
-    while (!tree().node(node).is_leaf()) {
-      const ChildShares share = HierarchicalImportance::shares(tree(), node, point);
-      if (share.first == 0 && share.second == 0) return {};
-      const bool first = u < share.first;
-      u = first ? u * share.first : (u - share.first) * share.second;
-      p *= first ? share.first : share.second;
-      node = tree().node(node).first_child + (first ? 0 : 1);
-    }
-    return {tree().node(node).representative, p};
-  }
-};
-
 /// Divides by the probability by intensity, but draws by importance.
 class PdfMismatch : public CopiedPerThread<PdfMismatch, OtherDraws> {
 public:
@@ -180,26 +211,6 @@ public:
   }
 };
 
-/// Goes to the first child for u up to its share, and at u = 0 to one that has none, as if it had
-/// the least.
-class BorderIsFirst : public CopiedPerThread<BorderIsFirst, OtherDraws> {
-public:
-  using CopiedPerThread<BorderIsFirst, OtherDraws>::CopiedPerThread;
-  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
-    double p = 1;
-    while (!tree().node(node).is_leaf()) {
-      const ChildShares share = HierarchicalImportance::shares(tree(), node, point);
-      if (share.first == 0 && share.second == 0) return {};
-      const bool first = u <= share.first;
-      const double part = first ? std::max(share.first, min_share) : share.second;
-      u = std::min((first ? u : u - share.first) / part, 1 - 0x1p-53);
-      p *= part;
-      node = tree().node(node).first_child + (first ? 0 : 1);
-    }
-    return {tree().node(node).representative, p};
-  }
-};
-
 constexpr Mutant sampling_catalogue[] = {
     {"random-number-lost", "draws by other numbers than the one it is given",
      with_tree<RandomNumberLost>},
@@ -210,13 +221,13 @@ constexpr Mutant sampling_catalogue[] = {
     {"dead-branch", "never draws from a child whose centre lies below the horizon",
      with_tree<OtherShares<shares_by_centre>>},
     {"inverse-probability", "goes on down the tree with u p in place of u / p",
-     with_tree<InverseProbability>},
+     with_tree<OtherSteps<inverse_step>>},
     {"pdf-mismatch", "states the probability by intensity of what it draws by importance",
      with_tree<PdfMismatch>},
     {"random-number-in-float", "rounds the random number to a float, and draws nothing by 1",
      with_tree<NumberInFloat>},
     {"border-is-first", "goes to the first child for u up to its share, though that may be 0",
-     with_tree<BorderIsFirst>},
+     with_tree<OtherSteps<border_is_first_step>>},
 };
 
 } // namespace
