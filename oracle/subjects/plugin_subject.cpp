@@ -40,6 +40,7 @@ public:
       : file_(std::move(file)), config_(config),
         output_(std::make_shared<PluginOutput>(file_.filename().string())) {}
 
+  /// The one that was given back last, so that the next tree is built where the one before was.
   [[nodiscard]] std::unique_ptr<SubjectProcess> take() {
     {
       const std::lock_guard lock(mutex_);
@@ -86,24 +87,13 @@ std::shared_ptr<const BuildInput> input_of(const LightSet& lights, std::uint64_t
 class PluginTree : public SubjectTree {
 public:
   PluginTree(std::shared_ptr<Processes> processes, std::shared_ptr<const BuildInput> input)
-      : PluginTree(processes, std::move(input), processes->take()) {}
-  /// In a process that may have a tree, which is destroyed first.
-  PluginTree(std::shared_ptr<Processes> processes, std::shared_ptr<const BuildInput> input,
-             std::unique_ptr<SubjectProcess> process)
-      : processes_(std::move(processes)), input_(std::move(input)), process_(std::move(process)) {
+      : processes_(std::move(processes)), input_(std::move(input)), process_(processes_->take()) {
     Reader answer(process_->ask(Request::build, input_->message.bytes(), sizeof(std::uint32_t)));
     node_count_ = answer.get<std::uint32_t>();
     require_whole(answer);
     if (node_count_ > protocol::max_nodes(input_->light_count)) unreadable();
   }
-  ~PluginTree() override {
-    if (process_) processes_->give_back(std::move(process_));
-  }
-
-  /// Ends this tree's use of its process. Nothing where that is no more, or one of another plug-in.
-  [[nodiscard]] std::unique_ptr<SubjectProcess> give_up(const Processes& of) {
-    return &of == processes_.get() && process_->is_alive() ? std::move(process_) : nullptr;
-  }
+  ~PluginTree() override { processes_->give_back(std::move(process_)); }
 
   [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
     auto other = std::make_unique<PluginTree>(processes_, input_);
@@ -380,14 +370,6 @@ public:
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
     return std::make_unique<PluginTree>(processes_, input_of(lights, seed));
-  }
-  [[nodiscard]] std::unique_ptr<SubjectTree> build_after(std::unique_ptr<SubjectTree> before,
-                                                         const LightSet& lights,
-                                                         std::uint64_t seed) const override {
-    auto* tree = dynamic_cast<PluginTree*>(before.get());
-    std::unique_ptr<SubjectProcess> process = tree ? tree->give_up(*processes_) : nullptr;
-    if (!process) return Subject::build_after(std::move(before), lights, seed);
-    return std::make_unique<PluginTree>(processes_, input_of(lights, seed), std::move(process));
   }
   [[nodiscard]] bool refined_before(double bound, double other) const override {
     const std::lock_guard lock(mutex_);

@@ -119,8 +119,8 @@ public:
   /// Builds a light tree; seed: of its random choices.
   [[nodiscard]] virtual std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                            std::uint64_t seed) const = 0;
-  /// Builds a tree where another one has been built, asked, and given up: in the same process, with
-  /// whatever the subject keeps from one tree to the next.
+  /// Gives the other tree up and builds one in its place, with whatever the subject keeps from one
+  /// tree to the next: of a plug-in, in the same process, unless another thread is first.
   [[nodiscard]] virtual std::unique_ptr<SubjectTree>
   build_after(std::unique_ptr<SubjectTree> before, const LightSet& lights,
               std::uint64_t seed) const;
