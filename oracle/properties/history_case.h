@@ -6,8 +6,8 @@
 
 namespace lightcuts::oracle {
 
-/// A case whose subject has a history: Case::builds or Case::questions. It has lights, and, for
-/// questions, two views.
+/// A case whose subject has a history: Case::builds, or Case::questions about views but the first.
+/// It has lights and a view.
 struct HistoryCase {
   const Subject& subject;
   const Case& on;

@@ -131,9 +131,7 @@ void Judge::invariance(const Subject& subject, const Case& on) const {
 void Judge::history(const Subject& subject, const Case& on) const {
   const bool asked = on.questions > 0 && on.views.size() > 1;
   if (on.lights.empty() || on.views.empty() || (!asked && on.builds == 0)) return;
-  Case shorter;
-  if (!asked) (shorter = on).questions = 0;
-  run<&PropertyInfo::of_history>(HistoryCase{subject, asked ? on : shorter});
+  run<&PropertyInfo::of_history>(HistoryCase{subject, on});
 }
 
 void Judge::views(const Judged& judged, const Topology& topology, const LightSet& lights,

@@ -48,9 +48,10 @@ public:
   /// One question about many clusters, then so many about few, all of other views: what is kept of
   /// the first may be taken for new once a count of the others has come full circle.
   void others(SubjectTree& tree, std::uint32_t nodes, std::uint32_t count) const {
+    const std::size_t others = on_.views.size() - 1;
+    if (others == 0) return;
     for (std::uint32_t i = 0; i < count; ++i) {
-      const auto& view = on_.views[on_.views.size() - 1 - i % (on_.views.size() - 1)].view;
-      const ShadingPoint point = view.point();
+      const ShadingPoint point = on_.views[others - i % others].view.point();
       if (has(parts_, Part::cuts)) {
         (void)select(tree, point, {0, i == 0 ? lights_ : 1, 0});
       } else if (has(parts_, Part::sampling)) {
