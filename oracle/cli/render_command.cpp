@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <lightcuts/core/tree/tree_builder.h>
+#include <lightcuts/render/images/image_codec.h>
 #include <lightcuts/render/view/renderer.h>
 #include <lightcuts/render/view/scene_features.h>
 #include <oracle/cli/commands.h>
@@ -32,6 +33,7 @@ int run(const RenderOptions& options) {
   const Scene scene = open_lit_scene_for(options);
   const std::filesystem::path out = output_folder_for(options);
   OutputFolder folder(out);
+  (void)image_codec(); // refused before the long job where it cannot be loaded
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, build_config_for(options));
   RenderConfig config;

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <lightcuts/render/images/image_codec.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
 #include <oracle/cli/progress_line.h>
@@ -57,6 +58,7 @@ int run(const ReportOptions& options) {
   const Scene scene = open_lit_scene_for(options);
   const std::filesystem::path out = output_folder_for(options);
   OutputFolder folder(out);
+  (void)image_codec(); // refused before the long job where it cannot be loaded
   const SceneView view(scene);
   oracle::MeasureConfig config = config_of(options, view);
   oracle::Measurement m;

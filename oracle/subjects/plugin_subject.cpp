@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <lightcuts/core/input_error.h>
+#include <lightcuts/render/files/beside_program.h>
 #include <oracle/subjects/c_records.h>
 #include <oracle/subjects/subject_process.h>
 
@@ -411,14 +412,6 @@ private:
   mutable std::map<std::pair<double, double>, bool> order_; ///< what was asked once
 };
 
-std::filesystem::path default_host() {
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  std::filesystem::path beside = program.parent_path() / "lightcuts-subject-host";
-  if (std::filesystem::exists(beside, error)) return beside;
-  return LIGHTCUTS_SUBJECT_HOST;
-}
-
 void require_file(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -434,7 +427,7 @@ std::unique_ptr<Subject> plugin_subject(const std::filesystem::path& file,
                                         const PluginConfig& config) {
   require_file(file);
   PluginConfig complete = config;
-  if (complete.host.empty()) complete.host = default_host();
+  if (complete.host.empty()) complete.host = beside_program(LIGHTCUTS_SUBJECT_HOST);
   try {
     return std::make_unique<PluginSubject>(file, complete);
   } catch (const SubjectFailure& failure) { // which begins with the file's name

@@ -45,8 +45,15 @@ public:
     return outcome_of(start(arguments, out, err), out, err);
   }
 
-  /// Starts the program with stdout and stderr led to files of one's own; 0 where that fails.
+  /// Starts lightcuts-oracle with stdout and stderr led to files of one's own; 0 where that fails.
   [[nodiscard]] pid_t start(const std::vector<std::string>& arguments,
+                            const std::filesystem::path& out,
+                            const std::filesystem::path& err) const {
+    return start(LIGHTCUTS_ORACLE, arguments, out, err);
+  }
+
+  /// Starts a program with stdout and stderr led to files of one's own; 0 where that fails.
+  [[nodiscard]] pid_t start(const std::string& program, const std::vector<std::string>& arguments,
                             const std::filesystem::path& out,
                             const std::filesystem::path& err) const {
     posix_spawn_file_actions_t actions;
@@ -55,7 +62,7 @@ public:
     constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC | O_NOCTTY;
     posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), flags, 0600);
     posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), flags, 0600);
-    std::vector<std::string> copies{LIGHTCUTS_ORACLE};
+    std::vector<std::string> copies{program};
     copies.insert(copies.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& a : copies) argv.push_back(a.data());

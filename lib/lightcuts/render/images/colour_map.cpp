@@ -8,11 +8,10 @@
 #include <string>
 #include <vector>
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
 
+#include <lightcuts/render/images/image_codec.h>
 #include <lightcuts/render/images/image_file.h>
 
 namespace lightcuts {
@@ -29,17 +28,10 @@ std::uint8_t encoded(float linear) {
 using Table = std::array<Rgb8, 256>;
 
 Table make_table(ColourMap map) {
-  constexpr int size = std::tuple_size_v<Table>;
-  std::array<float, size> ramp;
-  for (int i = 0; i < size; ++i) ramp[i] = static_cast<float>(i) / (size - 1);
-  const OIIO::ImageBuf source(OIIO::ImageSpec(size, 1, 1, OIIO::TypeDesc::FLOAT), ramp.data());
-  const OIIO::ImageBuf colours = OIIO::ImageBufAlgo::color_map(source, 0, name_of(map));
+  std::array<glm::vec3, std::tuple_size_v<Table>> linear{};
+  image_codec().colour_ramp(name_of(map), linear);
   Table table;
-  for (int i = 0; i < size; ++i) {
-    std::array<float, 3> linear{};
-    colours.getpixel(i, 0, linear.data(), 3);
-    table[i] = srgb8(glm::vec3(linear[0], linear[1], linear[2]));
-  }
+  std::transform(linear.begin(), linear.end(), table.begin(), srgb8);
   return table;
 }
 
@@ -54,9 +46,9 @@ void validate(const HeatMapScale& scale, const std::filesystem::path& file) {
 }
 
 // The strip below the picture, in pixels: a margin, the bar, a line of text.
-constexpr int margin = 6, bar_height = 12, font_size = 14, text_height = 20;
+constexpr int margin = 6, bar_height = 12, text_height = 20;
 constexpr int strip_height = margin + bar_height + text_height;
-constexpr const char* font = "DejaVuSans";
+constexpr TextStyle text_style{.font_size = 14, .font = "DejaVuSans"};
 constexpr Rgb8 strip_colour{32, 32, 32};
 
 // The strip's margins at the sides vanish in pictures too narrow for them.
@@ -69,8 +61,7 @@ struct Label {
 
 Label label(float value, int width, float at) {
   const std::string text = fmt::format("{:.4g}", value);
-  const OIIO::ROI box = OIIO::ImageBufAlgo::text_size(text, font_size, font);
-  const int text_width = box.defined() ? box.width() : width;
+  const int text_width = image_codec().text_width(text, text_style).value_or(width);
   const int side = side_margin(width);
   const int begin = side + static_cast<int>(at * static_cast<float>(width - 2 * side - text_width));
   return {text, begin, begin + text_width};
@@ -95,14 +86,12 @@ void draw_bar(std::span<Rgb8> image, int width, int top) {
 }
 
 void draw_labels(std::span<Rgb8> image, int width, int height, const HeatMapScale& scale) {
-  const OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-  OIIO::ImageBuf buffer(spec, image.data());
-  constexpr std::array<float, 3> white{1, 1, 1};
+  TextStyle style = text_style;
+  style.y = height - margin;
   for (const Label& l : labels(scale, width)) {
+    style.x = l.begin;
     // Without the font the picture is still worth writing.
-    if (!OIIO::ImageBufAlgo::render_text(buffer, l.begin, height - margin, l.text, font_size, font,
-                                         white))
-      return;
+    if (!image_codec().draw_text(image, width, height, l.text, style)) return;
   }
 }
 

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/render/scene/scene.h>
 
 #include <lightcuts/render/files/text.h>
+#include <lightcuts/render/images/image_codec.h>
 #include <lightcuts/render/images/image_file.h>
 
 namespace lightcuts {
@@ -18,15 +18,14 @@ namespace {
   throw InputError(fault, one_line(fmt::format("{}: {}", file, why)));
 }
 
-void check(const std::string& file, const OIIO::ImageSpec& spec) {
+void check(const std::string& file, const ImageInfo& info) {
   const auto side = static_cast<int>(max_image_side);
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 ||
-      spec.width > side || spec.height > side)
+  if (info.width < 1 || info.height < 1 || info.depth > 1 || info.channels.empty() ||
+      info.width > side || info.height > side)
     refuse(InputFault::out_of_domain, file,
-           fmt::format("{} x {} pixels, expected 1 to {} each", spec.width, spec.height,
+           fmt::format("{} x {} pixels, expected 1 to {} each", info.width, info.height,
                        max_image_side));
-  if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
-      spec.height != spec.full_height)
+  if (info.cropped)
     refuse(InputFault::unsupported, file,
            "is cropped: an environment map has to cover all directions");
 }
@@ -34,22 +33,23 @@ void check(const std::string& file, const OIIO::ImageSpec& spec) {
 } // namespace
 
 EnvironmentMap read_environment(const std::filesystem::path& file) {
-  const auto input = OIIO::ImageInput::open(file.string());
-  if (!input) refuse(opening_fault(file), file.string(), OIIO::geterror());
-  const OIIO::ImageSpec spec = input->spec();
-  check(file.string(), spec);
-  const auto stride = static_cast<std::size_t>(spec.nchannels);
-  std::vector<float> values(spec.image_pixels() * stride);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
-    refuse(InputFault::malformed_file, file.string(), input->geterror());
+  const OpenedImage opened = image_codec().open(file.string());
+  if (!opened.reader) refuse(opening_fault(file), file.string(), opened.failure.why);
+  const ImageInfo& info = opened.reader->info();
+  check(file.string(), info);
+  const std::size_t stride = info.channels.size();
+  std::vector<float> values(info.pixel_count() * stride);
+  if (const auto failure =
+          opened.reader->read(static_cast<int>(stride), SampleType::float32, values.data()))
+    refuse(failure->fault, file.string(), failure->why);
 
   EnvironmentMap map;
   map.name = file.string();
-  map.size = {spec.width, spec.height};
-  map.radiance.resize(spec.image_pixels());
+  map.size = {info.width, info.height};
+  map.radiance.resize(info.pixel_count());
   for (std::size_t i = 0; i < map.radiance.size(); ++i)
     for (int c = 0; c < 3; ++c) map.radiance[i][c] = values[i * stride + (stride < 3 ? 0 : c)];
-  if (!spec.format.is_floating_point())
+  if (info.type != SampleType::float32)
     map.notes.push_back(fmt::format("{}: integer pixels taken as linear, 0 to 1", map.name));
   validate(map);
   return map;

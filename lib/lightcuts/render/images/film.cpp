@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include <OpenImageIO/imageio.h>
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/render/images/colour_map.h>
 
+#include <lightcuts/render/images/image_codec.h>
 #include <lightcuts/render/images/image_file.h>
 
 namespace lightcuts {
@@ -18,15 +18,15 @@ namespace {
 // Names without a colon pass through OpenImageIO's EXR writer as they are.
 constexpr std::string_view metadata_prefix = "lightcuts.";
 
-OIIO::ImageSpec exr_spec(const Film& film) {
-  OIIO::ImageSpec spec(static_cast<int>(film.size().x), static_cast<int>(film.size().y),
-                       static_cast<int>(film.channel_names().size()), OIIO::TypeDesc::FLOAT);
-  spec.channelnames = film.channel_names();
-  spec.attribute("compression", "zip");
-  spec.attribute("DateTime", ""); // OpenImageIO would add the time of day
+ImageInfo exr_info(const Film& film) {
+  ImageInfo info{.width = static_cast<int>(film.size().x),
+                 .height = static_cast<int>(film.size().y),
+                 .channels = film.channel_names(),
+                 // OpenImageIO would add the time of day.
+                 .attributes = {{"compression", "zip"}, {"DateTime", ""}}};
   for (const auto& [key, value] : film.metadata)
-    spec.attribute(std::string(metadata_prefix) + key, value);
-  return spec;
+    info.attributes[std::string(metadata_prefix) + key] = value;
+  return info;
 }
 
 std::vector<float> interleaved(const Film& film) {
@@ -39,18 +39,16 @@ std::vector<float> interleaved(const Film& film) {
   return pixels;
 }
 
-Film film_of(const OIIO::ImageSpec& spec, std::span<const float> pixels) {
-  Film film({spec.width, spec.height});
-  const std::size_t stride = spec.channelnames.size();
+Film film_of(const ImageInfo& info, std::span<const float> pixels) {
+  Film film({info.width, info.height});
+  const std::size_t stride = info.channels.size();
   for (std::size_t c = 0; c < stride; ++c) {
-    const std::span<float> channel = film.channel(spec.channelnames[c]);
+    const std::span<float> channel = film.channel(info.channels[c]);
     for (std::size_t i = 0; i < channel.size(); ++i) channel[i] = pixels[i * stride + c];
   }
-  for (const auto& attribute : spec.extra_attribs) {
-    const std::string name = attribute.name().string();
+  for (const auto& [name, value] : info.attributes)
     if (name.starts_with(metadata_prefix))
-      film.metadata[name.substr(metadata_prefix.size())] = attribute.get_string();
-  }
+      film.metadata[name.substr(metadata_prefix.size())] = value;
   return film;
 }
 
@@ -74,17 +72,19 @@ std::span<const float> Film::channel(std::string_view name) const {
 void write_exr(const Film& film, const std::filesystem::path& file) {
   if (film.pixel_count() == 0 || film.channel_names().empty())
     throw InputError(InputFault::missing, file.string() + ": the film has no pixel or no channel");
-  write_image(file, "exr", exr_spec(film), OIIO::TypeDesc::FLOAT, interleaved(film).data());
+  write_image(file, "exr", exr_info(film), interleaved(film).data());
 }
 
 Film read_exr(const std::filesystem::path& file) {
-  const auto input = OIIO::ImageInput::open(file.string());
-  if (!input) throw InputError(opening_fault(file), file.string() + ": " + OIIO::geterror());
-  const OIIO::ImageSpec spec = input->spec();
-  std::vector<float> pixels(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data()))
-    throw InputError(InputFault::malformed_file, file.string() + ": " + input->geterror());
-  return film_of(spec, pixels);
+  const OpenedImage opened = image_codec().open(file.string());
+  if (!opened.reader)
+    throw InputError(opening_fault(file), file.string() + ": " + opened.failure.why);
+  const ImageInfo& info = opened.reader->info();
+  std::vector<float> pixels(info.pixel_count() * info.channels.size());
+  if (const auto failure = opened.reader->read(static_cast<int>(info.channels.size()),
+                                               SampleType::float32, pixels.data()))
+    throw InputError(failure->fault, file.string() + ": " + failure->why);
+  return film_of(info, pixels);
 }
 
 void write_png(const std::filesystem::path& file, glm::uvec2 size,

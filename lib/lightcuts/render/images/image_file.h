@@ -7,10 +7,11 @@
 #include <string>
 #include <system_error>
 
-#include <OpenImageIO/imageio.h>
 #include <glm/vec2.hpp>
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/render/images/colour_map.h>
+
+#include <lightcuts/render/images/image_codec.h>
 
 namespace lightcuts {
 
@@ -21,25 +22,24 @@ inline InputFault opening_fault(const std::filesystem::path& file) {
   return readable ? InputFault::malformed_file : InputFault::unreadable_file;
 }
 
-/// Writes pixels of type `type` as `format` ("exr", "png"), whatever the file's extension. Throws
-/// InputError with the file's name and OpenImageIO's message.
+/// Writes samples of type `info.type` as `format` ("exr", "png"), whatever the file's extension.
+/// Throws InputError with the file's name and OpenImageIO's message.
 inline void write_image(const std::filesystem::path& file, const std::string& format,
-                        const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
-                        const void* pixels) {
-  const auto output = OIIO::ImageOutput::create(format);
-  if (!output) throw InputError(InputFault::unsupported, file.string() + ": " + OIIO::geterror());
-  if (!output->open(file.string(), spec) || !output->write_image(type, pixels) || !output->close())
-    throw InputError(InputFault::unwritable_file, file.string() + ": " + output->geterror());
+                        const ImageInfo& info, const void* samples) {
+  if (const auto failure = image_codec().write(file.string(), format, info, samples))
+    throw InputError(failure->fault, file.string() + ": " + failure->why);
 }
 
 /// Writes an 8-bit sRGB PNG, size.x * size.y pixels.
 inline void write_rgb8(const std::filesystem::path& file, glm::uvec2 size,
                        std::span<const Rgb8> pixels) {
   static_assert(sizeof(Rgb8) == 3);
-  OIIO::ImageSpec spec(static_cast<int>(size.x), static_cast<int>(size.y), 3,
-                       OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  write_image(file, "png", spec, OIIO::TypeDesc::UINT8, pixels.data());
+  const ImageInfo info{.width = static_cast<int>(size.x),
+                       .height = static_cast<int>(size.y),
+                       .type = SampleType::uint8,
+                       .channels = {"R", "G", "B"},
+                       .attributes = {{"oiio:ColorSpace", "sRGB"}}};
+  write_image(file, "png", info, pixels.data());
 }
 
 } // namespace lightcuts

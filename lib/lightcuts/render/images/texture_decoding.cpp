@@ -4,12 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
 
 #include <lightcuts/render/files/text.h>
+#include <lightcuts/render/images/image_codec.h>
 
 namespace lightcuts {
 namespace {
@@ -48,13 +47,25 @@ std::string why(const std::string& message) {
   return one_line(message.substr(0, message.find('\n')));
 }
 
+/// Refused before memory is asked for that a broken header wants.
+glm::uvec2 size_of(const ImageInfo& info) {
+  constexpr int most = max_texture_side;
+  if (info.width < 1 || info.height < 1 || info.depth > 1 || info.channels.empty() ||
+      info.width > most || info.height > most)
+    throw InputError(InputFault::out_of_domain,
+                     fmt::format("an image of {} x {} x {} pixels, expected 1 to {} on a side",
+                                 info.width, info.height, info.depth, most));
+  return {info.width, info.height};
+}
+
 template <class Component>
-Texture read(OIIO::ImageInput& input, const OIIO::TypeDesc& type, glm::uvec2 size) {
+Texture read(ImageReader& reader, SampleType type) {
+  const glm::uvec2 size = size_of(reader.info());
   // One channel is grey, two are grey and alpha.
-  const int channels = input.spec().nchannels < 3 ? 1 : 3;
+  const int channels = reader.info().channels.size() < 3 ? 1 : 3;
   std::vector<Component> pixels(std::size_t{size.x} * size.y * channels);
-  if (!input.read_image(0, 0, 0, channels, type, pixels.data()))
-    throw InputError(InputFault::malformed_file, why(input.geterror()));
+  if (const auto failure = reader.read(channels, type, pixels.data()))
+    throw InputError(failure->fault, why(failure->why));
   std::vector<glm::vec3> texels(std::size_t{size.x} * size.y);
   for (std::size_t i = 0; i < texels.size(); ++i)
     for (int c = 0; c < 3; ++c)
@@ -62,39 +73,24 @@ Texture read(OIIO::ImageInput& input, const OIIO::TypeDesc& type, glm::uvec2 siz
   return {size, std::move(texels)};
 }
 
-/// Refused before memory is asked for that a broken header wants.
-glm::uvec2 size_of(const OIIO::ImageSpec& spec) {
-  constexpr int most = max_texture_side;
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 ||
-      spec.width > most || spec.height > most)
-    throw InputError(InputFault::out_of_domain,
-                     fmt::format("an image of {} x {} x {} pixels, expected 1 to {} on a side",
-                                 spec.width, spec.height, spec.depth, most));
-  return {spec.width, spec.height};
-}
-
 } // namespace
 
 Texture decode_texture(std::string_view bytes, const std::string& name) {
   const std::string extension = extension_of(bytes, name);
-  const auto input = extension.empty() ? nullptr : OIIO::ImageInput::create(extension);
-  // A reader without proxies would look for a file.
-  if (!input || !input->supports("ioproxy"))
-    throw InputError(InputFault::unsupported, fmt::format("unknown kind of image '{}'", extension));
   // The reader would fill the rest of such an image with grey.
   if (extension == "jpg" && bytes.find("\xff\xd9") == std::string_view::npos)
     throw InputError(InputFault::malformed_file, "truncated: no end of image");
-  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-  OIIO::Filesystem::IOProxy* proxy = &memory;
-  OIIO::ImageSpec spec, config;
-  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  config.attribute("oiio:UnassociatedAlpha", 1); // else colours come multiplied by alpha
-  if (!input->open(name, spec, config))
-    throw InputError(InputFault::malformed_file, why(input->geterror()));
-  const glm::uvec2 size = size_of(spec);
-  if (spec.format.is_floating_point()) return read<float>(*input, OIIO::TypeDesc::FLOAT, size);
-  if (spec.format.size() == 1) return read<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, size);
-  return read<std::uint16_t>(*input, OIIO::TypeDesc::UINT16, size);
+  const OpenedImage opened = image_codec().open_bytes(bytes, extension, name);
+  if (!opened.reader) throw InputError(opened.failure.fault, why(opened.failure.why));
+  switch (const SampleType type = opened.reader->info().type; type) {
+  case SampleType::uint8:
+    return read<std::uint8_t>(*opened.reader, type);
+  case SampleType::uint16:
+    return read<std::uint16_t>(*opened.reader, type);
+  case SampleType::float32:
+    break;
+  }
+  return read<float>(*opened.reader, SampleType::float32);
 }
 
 } // namespace lightcuts
