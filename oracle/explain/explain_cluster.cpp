@@ -86,7 +86,8 @@ std::string light_text(const PointCase& at, std::uint32_t index) {
 }
 
 std::string lights_text(const PointCase& at, std::uint32_t node) {
-  std::vector<std::uint32_t> lights = at.topology().all_lights(node);
+  const std::span<const std::uint32_t> all = at.topology().all_lights(node);
+  std::vector<std::uint32_t> lights(all.begin(), all.end());
   std::sort(lights.begin(), lights.end());
   std::string text = "contribution = BRDF n.l falloff emission intensity\n";
   for (std::size_t i = 0; i < lights.size() && i < most_listed_lights; ++i)

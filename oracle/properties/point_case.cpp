@@ -43,6 +43,12 @@ std::span<const glm::dvec3> PointAnswers::estimates() const {
   return estimates_;
 }
 
+glm::dvec3 PointAnswers::open_estimate(std::uint32_t node) const {
+  const std::uint32_t light = topology().representative(node);
+  if (light == TreeClaim::unsaid || at.sees(light)) return estimates()[node];
+  return judged.tree.estimate(node, at.point, bounds()[node]);
+}
+
 Cut PointAnswers::select(const CutConfig& config, bool all_seen) const {
   return judged.tree.select(at.point, config,
                             [&](std::uint32_t light) { return all_seen || at.sees(light); });

@@ -60,6 +60,8 @@ public:
   [[nodiscard]] std::span<const glm::vec3> bounds() const;
   /// Per node, as seen_estimate() has it.
   [[nodiscard]] std::span<const glm::dvec3> estimates() const;
+  /// The estimate of a cluster as if its representative were seen.
+  [[nodiscard]] glm::dvec3 open_estimate(std::uint32_t node) const;
   /// A cut of what is seen from the point, or of all lights; valid until the tree's next one.
   [[nodiscard]] Cut select(const CutConfig& config, bool all_seen = false) const;
 

@@ -61,12 +61,4 @@ std::vector<Property> broken(const Tally& tally) {
   return list;
 }
 
-double ratio_of(long double left, long double right) {
-  if (left == 0 && right >= 0) return 0;
-  constexpr double largest = std::numeric_limits<double>::max();
-  const long double ratio = left / right;
-  if (!(ratio >= 0) || ratio > largest) return largest;
-  return static_cast<double>(ratio);
-}
-
 } // namespace lightcuts::oracle

@@ -118,6 +118,12 @@ private:
 [[nodiscard]] std::vector<Property> broken(const Tally& tally);
 
 /// left / right for record(): 0/0 is 0, x/0 and NaN are the largest double, which JSON can say.
-[[nodiscard]] double ratio_of(long double left, long double right);
+[[nodiscard]] inline double ratio_of(long double left, long double right) {
+  if (left == 0 && right >= 0) return 0;
+  constexpr double largest = std::numeric_limits<double>::max();
+  const long double ratio = left / right;
+  if (!(ratio >= 0) || ratio > largest) return largest;
+  return static_cast<double>(ratio);
+}
 
 } // namespace lightcuts::oracle

@@ -330,7 +330,7 @@ private:
   void ask_for_probabilities(std::uint32_t node) {
     if (!topology_) topology_ = read_topology(claim(), input_->light_count).topology;
     if (!topology_ || node >= topology_->size()) return;
-    const std::vector<std::uint32_t> lights = topology_->all_lights(node);
+    const std::span<const std::uint32_t> lights = topology_->all_lights(node);
     const std::vector<double> all = ask_for_probabilities(node, lights);
     probabilities_.clear();
     for (std::size_t i = 0; i < lights.size(); ++i) probabilities_.emplace(lights[i], all[i]);

@@ -38,15 +38,16 @@ std::string structural_defect(const TreeClaim& claim, std::size_t light_count) {
 
 } // namespace
 
-std::vector<std::uint32_t> Topology::all_lights(std::uint32_t node) const {
-  std::vector<std::uint32_t> result, open{node};
+void Topology::sort_lights() {
+  first_.resize(size());
+  std::vector<std::uint32_t> open{0};
   while (!open.empty()) {
     const std::uint32_t i = open.back();
     open.pop_back();
-    result.insert(result.end(), lights(i).begin(), lights(i).end());
+    first_[i] = std::uint32_t(lights_.size());
+    lights_.insert(lights_.end(), lights(i).begin(), lights(i).end());
     open.insert(open.end(), children(i).begin(), children(i).end());
   }
-  return result;
 }
 
 TopologyReading read_topology(TreeClaim claim, std::size_t light_count) {
@@ -81,6 +82,7 @@ TopologyReading read_topology(TreeClaim claim, std::size_t light_count) {
     for (const std::uint32_t child : t.children(*i)) t.counts_[*i] += t.counts_[child];
     for (const std::uint32_t light : t.lights(*i)) ++seen[light];
   }
+  t.sort_lights();
   std::string defect;
   for (std::size_t light = 0; light < light_count && defect.empty(); ++light)
     if (seen[light] != 1) defect = fmt::format("light {} is in {} leaves", light, seen[light]);

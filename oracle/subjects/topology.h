@@ -60,14 +60,20 @@ public:
   /// All nodes, parents before their children.
   [[nodiscard]] std::span<const std::uint32_t> parents_first() const { return order_; }
   /// Lights of all leaves below the node, with repetition.
-  [[nodiscard]] std::vector<std::uint32_t> all_lights(std::uint32_t node) const;
+  [[nodiscard]] std::span<const std::uint32_t> all_lights(std::uint32_t node) const {
+    return std::span(lights_).subspan(first_[node], counts_[node]);
+  }
   [[nodiscard]] std::uint32_t light_count(std::uint32_t node) const { return counts_[node]; }
 
 private:
   friend struct TopologyReading read_topology(TreeClaim claim, std::size_t light_count);
 
+  /// Sorts the lights by leaf, so that those of each node lie side by side.
+  void sort_lights();
+
   TreeClaim claim_;
   std::vector<std::uint32_t> order_, counts_;
+  std::vector<std::uint32_t> lights_, first_; ///< those of node i begin at lights_[first_[i]]
 };
 
 struct TopologyReading {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace lightcuts::oracle {
@@ -104,7 +105,7 @@ double tree_cost(const Topology& topology, const LightSet& lights) {
   const std::vector<NaiveCluster> leaves = leaves_of(lights);
   double sum = 0;
   for (std::uint32_t node = 0; node < topology.size(); ++node) {
-    const std::vector<std::uint32_t> members = topology.all_lights(node);
+    const std::span<const std::uint32_t> members = topology.all_lights(node);
     if (members.size() < 2) continue;
     NaiveCluster c = leaves[members.front()];
     for (std::size_t i = 1; i + 1 < members.size(); ++i) c = merged(c, leaves[members[i]]);

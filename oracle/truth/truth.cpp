@@ -20,6 +20,7 @@ void Truth::evaluate(const Topology& topology, const LightSet& lights, const Sha
   lights_ = &lights;
   point_ = &point;
   visible_ = visible;
+  of_lights_.assign(lights.size(), Wide{});
   open_.assign(topology.size(), Wide{});
   seen_.assign(topology.size(), Wide{});
   const auto add = [](Wide& sum, const Wide& term) {
@@ -29,6 +30,7 @@ void Truth::evaluate(const Topology& topology, const LightSet& lights, const Sha
   for (auto i = nodes.rbegin(); i != nodes.rend(); ++i) {
     for (const std::uint32_t light : topology.lights(*i)) {
       const Wide one = contribution(lights[light], point, lights.min_distance());
+      of_lights_[light] = one;
       add(open_[*i], one);
       if (visible[light] != 0) add(seen_[*i], one);
     }

@@ -49,6 +49,8 @@ public:
 
   /// Sum over the cluster's lights, as if nothing occluded any of them.
   [[nodiscard]] const Wide& open(std::uint32_t node) const { return open_[node]; }
+  /// contribution() of one light of the tree.
+  [[nodiscard]] const Wide& of_light(std::uint32_t light) const { return of_lights_[light]; }
   /// Sum over the cluster's visible lights.
   [[nodiscard]] const Wide& seen(std::uint32_t node) const { return seen_[node]; }
 
@@ -69,7 +71,7 @@ private:
   const LightSet* lights_ = nullptr;
   const ShadingPoint* point_ = nullptr;
   std::span<const char> visible_;
-  std::vector<Wide> open_, seen_;
+  std::vector<Wide> of_lights_, open_, seen_;
 };
 
 /// Whether bound >= value in real numbers, value being known to within margin: decided in long

@@ -32,7 +32,7 @@ void check_contribution(const PointAnswers& of, std::uint32_t node, const Record
 
 void check_bound(const Topology& topology, const LightSet& lights, const ShadingPoint& point,
                  std::uint32_t node, const glm::vec3& bound, const Recorder& record) {
-  const std::vector<std::uint32_t> members = topology.all_lights(node);
+  const std::span<const std::uint32_t> members = topology.all_lights(node);
   Wide sum{};
   for (const std::uint32_t light : members) {
     const Wide one = contribution(lights[light], point, lights.min_distance());

@@ -25,7 +25,7 @@ struct MeanErrors {
 
 /// Relative error of the estimate, and the mean of that of one light in place of all, drawn by
 /// intensity.
-void add(const PointAnswers& of, std::uint32_t node, std::span<const Wide> each, MeanErrors& sums) {
+void add(const PointAnswers& of, std::uint32_t node, MeanErrors& sums) {
   const Wide& truth = of.at.truth.open(node);
   const auto c = std::size_t(std::max_element(truth.begin(), truth.end()) - truth.begin());
   const glm::vec3& bound = of.bounds()[node];
@@ -39,9 +39,9 @@ void add(const PointAnswers& of, std::uint32_t node, std::span<const Wide> each,
   };
   for (const std::uint32_t i : members) {
     const long double share = lights[i].intensity[int(c)] / total;
-    if (share > 0) sums.representatives += double(share) * error(each[i][c] / share);
+    if (share > 0) sums.representatives += double(share) * error(of.at.truth.of_light(i)[c] / share);
   }
-  sums.estimates += error(of.judged.tree.estimate(node, of.at.point, bound)[int(c)]);
+  sums.estimates += error(of.open_estimate(node)[int(c)]);
   ++sums.clusters;
 }
 
@@ -49,12 +49,9 @@ void add(const PointAnswers& of, std::uint32_t node, std::span<const Wide> each,
 void check_estimates(const PointAnswers& of, NodeRange nodes, const Recorder& record) {
   const Topology& tree = of.topology();
   if (nodes.begin != 0 || nodes.end != tree.size() || tree.size() <= least_clusters) return;
-  std::vector<Wide> each;
-  for (const Light& light : of.at.lights())
-    each.push_back(contribution(light, of.at.point, of.at.lights().min_distance()));
   MeanErrors sums;
   for (std::uint32_t i = 0; i < tree.size(); ++i)
-    if (tree.light_count(i) > 1 && tree.light_count(i) <= most_lights) add(of, i, each, sums);
+    if (tree.light_count(i) > 1 && tree.light_count(i) <= most_lights) add(of, i, sums);
   if (sums.clusters < least_clusters) return;
   const double mean = sums.estimates / sums.clusters;
   const double allowed = std::max(least_error, factor * sums.representatives / sums.clusters);

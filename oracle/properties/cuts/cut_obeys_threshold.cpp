@@ -39,7 +39,7 @@ struct WorstCluster {
   explicit WorstCluster(const CutAnswer& of) {
     for (const CutCluster& c : of.cut.clusters) {
       if (c.node >= of.point.topology().size()) continue; // convicted elsewhere
-      const glm::vec3 own = of.point.judged.tree.bound(c.node, of.point.at.point);
+      const glm::vec3& own = of.point.bounds()[c.node];
       const Wide bound{own.x, own.y, own.z}, error = possible_error(of, c, bound);
       for (std::size_t i = 0; i < 3; ++i) {
         const long double exact = of.config.threshold * of.total[i];

@@ -146,7 +146,7 @@ struct FourLights : testing::Test {
   }
   /// Of the estimate of a cluster; blue is the brightest channel.
   [[nodiscard]] Spread spread(std::uint32_t node, int channel = 2) const {
-    const std::vector<std::uint32_t> lights = judged.topology.all_lights(node);
+    const std::span<const std::uint32_t> lights = judged.topology.all_lights(node);
     Spread s;
     for (const std::uint32_t light : lights) {
       const double p = own(judged).probability(node, judged.point, light);

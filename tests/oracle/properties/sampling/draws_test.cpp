@@ -181,7 +181,7 @@ TEST_F(FourLights, AreAllowedTheDeviationOfTheSharedRateInFrequencies) {
     const CutConfig cut = cut_of(2);
     double worst = 0;
     for (const std::uint32_t node : nodes(cut)) {
-      const std::vector<std::uint32_t> lights = judged.topology.all_lights(node);
+      const std::span<const std::uint32_t> lights = judged.topology.all_lights(node);
       // sample(0) draws one of them with certainty.
       const DrawnLight first = own(judged).sample(node, judged.point, 0);
       const double p = first.probability;

@@ -60,7 +60,7 @@ Changes without_one(std::uint32_t cluster, std::uint32_t dead, std::uint32_t oth
 
 TEST_F(FourLights, ConvictASamplerThatForgetsALight) {
   const std::uint32_t cluster = nodes(cut_of(2))[0];
-  const std::vector<std::uint32_t> lights = judged.topology.all_lights(cluster);
+  const std::span<const std::uint32_t> lights = judged.topology.all_lights(cluster);
   ASSERT_EQ(lights.size(), 2U);
   Changes changes = without_one(cluster, lights[0], lights[1]);
   EXPECT_THAT(violated(probabilities_of(with(changes), judged)),
