@@ -28,7 +28,8 @@ std::uint32_t random_cluster(Dice& dice, const Topology& topology) {
 gen::View view_beside_light(const LightSet& lights, const Topology& topology, std::uint64_t random,
                             const gen::View& otherwise) {
   Dice dice(random);
-  const std::span<const std::uint32_t> members = topology.all_lights(random_cluster(dice, topology));
+  const std::span<const std::uint32_t> members =
+      topology.all_lights(random_cluster(dice, topology));
   const int axis = dice.below(3);
   const float side = dice.sign();
   const auto out = [&](std::uint32_t i) { return side * lights[i].position[axis]; };

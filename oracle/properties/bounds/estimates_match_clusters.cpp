@@ -39,7 +39,8 @@ void add(const PointAnswers& of, std::uint32_t node, MeanErrors& sums) {
   };
   for (const std::uint32_t i : members) {
     const long double share = lights[i].intensity[int(c)] / total;
-    if (share > 0) sums.representatives += double(share) * error(of.at.truth.of_light(i)[c] / share);
+    if (share > 0)
+      sums.representatives += double(share) * error(of.at.truth.of_light(i)[c] / share);
   }
   sums.estimates += error(of.open_estimate(node)[int(c)]);
   ++sums.clusters;
