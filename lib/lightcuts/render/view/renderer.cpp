@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/view/renderer.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <memory>
@@ -23,6 +24,11 @@ void store(Rendering& r, std::size_t i, const PixelResult& result, const glm::ve
   r.shadow_rays[i] = result.shadow_rays;
   r.end[i] = result.end;
 }
+
+/// Pixels of a square of this side are lit together.
+constexpr unsigned square_side = 8;
+/// Tiles are what threads take in turn; whole squares.
+constexpr unsigned tile_side = 2 * square_side;
 
 using Wanted = std::function<bool(glm::uvec2)>;
 
@@ -83,11 +89,62 @@ void render_tiles(const Task& task) {
     if (any && config.done) config.done({{begin, y}, {end, y + 1}});
     return true;
   };
+  /// Neighbours together. Whether all that are wanted have been rendered.
+  const auto light_square = [&](const PixelRect& square, PointLighter& lighter) {
+    if (config.progress.cancelled()) return false;
+    const auto start = Clock::now();
+    std::vector<VisiblePoint> seen;
+    std::vector<BlockPoint> points;
+    std::vector<std::size_t> pixels;
+    bool any = false;
+    for (unsigned y = square.lo.y; y < square.hi.y; ++y)
+      for (unsigned x = square.lo.x; x < square.hi.x; ++x) {
+        if (!task.wants({x, y})) continue;
+        any = true;
+        auto p = task.view.at({x, y});
+        if (!p) continue;
+        points.push_back({p->point, {x, y}});
+        pixels.push_back(std::size_t(y) * size.x + x);
+        seen.push_back(std::move(*p));
+      }
+    if (!points.empty()) {
+      surface_pixels += points.size();
+      std::vector<PixelResult> results(points.size());
+      const auto visible = [&](std::uint32_t p, std::uint32_t light) {
+        return task.view.casts_to(seen[p], light);
+      };
+      lighter.light_all(points, pixels.front(), visible, results);
+      const double each = 1e6 * seconds_since(start) / double(points.size());
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        store(task.picture, pixels[i], results[i], seen[i].emission);
+        task.picture.microseconds[pixels[i]] = static_cast<float>(each);
+      }
+    }
+    if (any && config.done) config.done(square);
+    return true;
+  };
+  const auto light_squares = [&](const PixelRect& tile, PointLighter& lighter) {
+    for (unsigned y = tile.lo.y; y < tile.hi.y; y += square_side)
+      for (unsigned x = tile.lo.x; x < tile.hi.x; x += square_side)
+        if (!light_square(
+                {{x, y},
+                 {std::min(x + square_side, tile.hi.x), std::min(y + square_side, tile.hi.y)}},
+                lighter))
+          return false;
+    return true;
+  };
+  const auto light_rows = [&](const PixelRect& tile, PointLighter& lighter) {
+    for (unsigned y = tile.lo.y; y < tile.hi.y; ++y)
+      if (!light_row(y, tile.lo.x, tile.hi.x, lighter)) return false;
+    return true;
+  };
   const auto light_tile = [&](const tbb::blocked_range2d<unsigned>& tile) {
     PointLighter& lighter = *lighters.local();
-    for (unsigned y = tile.rows().begin(); y < tile.rows().end(); ++y)
-      if (!light_row(y, tile.cols().begin(), tile.cols().end(), lighter)) return;
-    const auto done = pixels_done += tile.rows().size() * tile.cols().size();
+    const PixelRect rect{{tile.cols().begin() * tile_side, tile.rows().begin() * tile_side},
+                         {std::min(tile.cols().end() * tile_side, size.x),
+                          std::min(tile.rows().end() * tile_side, size.y)}};
+    if (!(lighter.shares() ? light_squares(rect, lighter) : light_rows(rect, lighter))) return;
+    const auto done = pixels_done += std::uint64_t(rect.hi.x - rect.lo.x) * (rect.hi.y - rect.lo.y);
     config.progress.report(double(done) / (double(size.x) * size.y));
   };
 
@@ -95,8 +152,9 @@ void render_tiles(const Task& task) {
   tbb::task_arena arena(config.threads == 0 ? tbb::task_arena::automatic
                                             : static_cast<int>(config.threads));
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range2d<unsigned>(0, size.y, 16, 0, size.x, 16), light_tile,
-                      tbb::simple_partitioner());
+    const auto tiles = [](unsigned pixels) { return (pixels + tile_side - 1) / tile_side; };
+    tbb::parallel_for(tbb::blocked_range2d<unsigned>(0, tiles(size.y), 1, 0, tiles(size.x), 1),
+                      light_tile, tbb::simple_partitioner());
   });
   task.picture.seconds += seconds_since(start);
   task.picture.surface_pixels += surface_pixels;
