@@ -12,6 +12,7 @@
 #include <tbb/task_arena.h>
 
 #include <lightcuts/core/jobs/seconds_since.h>
+#include <lightcuts/render/view/pixel_square.h>
 
 namespace lightcuts {
 namespace {
@@ -25,10 +26,8 @@ void store(Rendering& r, std::size_t i, const PixelResult& result, const glm::ve
   r.end[i] = result.end;
 }
 
-/// Pixels of a square of this side are lit together.
-constexpr unsigned square_side = 8;
 /// Tiles are what threads take in turn; whole squares.
-constexpr unsigned tile_side = 2 * square_side;
+constexpr unsigned tile_side = 2 * PixelSquare::side;
 
 using Wanted = std::function<bool(glm::uvec2)>;
 
@@ -42,6 +41,13 @@ struct Task {
 
   [[nodiscard]] bool wants(glm::uvec2 pixel) const { return !wanted || wanted(pixel); }
 };
+
+bool wants_any(const Task& task, const PixelRect& rect) {
+  for (unsigned y = rect.lo.y; y < rect.hi.y; ++y)
+    for (unsigned x = rect.lo.x; x < rect.hi.x; ++x)
+      if (task.wants({x, y})) return true;
+  return false;
+}
 
 /// What the task's method lights with; a cut's kernel may know whether anything occludes.
 LighterConfig lighter_config(const Task& task) {
@@ -90,46 +96,35 @@ void render_tiles(const Task& task) {
     return true;
   };
   /// Neighbours together. Whether all that are wanted have been rendered.
-  const auto light_square = [&](const PixelRect& square, PointLighter& lighter) {
+  const auto light_square = [&](const PixelRect& rect, PointLighter& lighter) {
+    if (!wants_any(task, rect)) return true;
     if (config.progress.cancelled()) return false;
     const auto start = Clock::now();
-    std::vector<VisiblePoint> seen;
-    std::vector<BlockPoint> points;
-    std::vector<std::size_t> pixels;
-    bool any = false;
-    for (unsigned y = square.lo.y; y < square.hi.y; ++y)
-      for (unsigned x = square.lo.x; x < square.hi.x; ++x) {
-        if (!task.wants({x, y})) continue;
-        any = true;
-        auto p = task.view.at({x, y});
-        if (!p) continue;
-        points.push_back({p->point, {x, y}});
-        pixels.push_back(std::size_t(y) * size.x + x);
-        seen.push_back(std::move(*p));
-      }
-    if (!points.empty()) {
-      surface_pixels += points.size();
-      std::vector<PixelResult> results(points.size());
-      const auto visible = [&](std::uint32_t p, std::uint32_t light) {
-        return task.view.casts_to(seen[p], light);
-      };
-      lighter.light_all(points, pixels.front(), visible, results);
-      const double each = 1e6 * seconds_since(start) / double(points.size());
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        store(task.picture, pixels[i], results[i], seen[i].emission);
-        task.picture.microseconds[pixels[i]] = static_cast<float>(each);
-      }
+    const PixelSquare square(task.view, rect.lo);
+    std::vector<PixelResult> results(square.pixels.size());
+    const auto visible = [&](std::uint32_t p, std::uint32_t light) {
+      return task.view.casts_to(square.seen[p], light);
+    };
+    lighter.light_all(square.points, square.query, visible, results);
+    const double each =
+        1e6 * seconds_since(start) / double(std::max<std::size_t>(1, results.size()));
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      if (!task.wants(square.pixels[k])) continue;
+      const std::size_t i = std::size_t(square.pixels[k].y) * size.x + square.pixels[k].x;
+      store(task.picture, i, results[k], square.seen[k].emission);
+      task.picture.microseconds[i] = static_cast<float>(each);
+      ++surface_pixels;
     }
-    if (any && config.done) config.done(square);
+    if (config.done) config.done(rect);
     return true;
   };
   const auto light_squares = [&](const PixelRect& tile, PointLighter& lighter) {
-    for (unsigned y = tile.lo.y; y < tile.hi.y; y += square_side)
-      for (unsigned x = tile.lo.x; x < tile.hi.x; x += square_side)
-        if (!light_square(
-                {{x, y},
-                 {std::min(x + square_side, tile.hi.x), std::min(y + square_side, tile.hi.y)}},
-                lighter))
+    for (unsigned y = tile.lo.y; y < tile.hi.y; y += PixelSquare::side)
+      for (unsigned x = tile.lo.x; x < tile.hi.x; x += PixelSquare::side)
+        if (!light_square({{x, y},
+                           {std::min(x + PixelSquare::side, tile.hi.x),
+                            std::min(y + PixelSquare::side, tile.hi.y)}},
+                          lighter))
           return false;
     return true;
   };
