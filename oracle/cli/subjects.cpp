@@ -8,11 +8,12 @@ namespace lightcuts::cli {
 
 void add_subject_options(CLI::App& command, SubjectOptions& options) {
   command
-      .add_option(
-          "--subject", options.subject,
-          "whom to judge: lightcuts, locally-ordered (the same on trees of that builder), paper, "
-          "stochastic-intensity, mutant:NAME, or the light tree in a shared library written after "
-          "lightcuts/oracle/subject_abi.h, ./FILE.so")
+      .add_option("--subject", options.subject,
+                  "whom to judge: lightcuts, locally-ordered (the same on trees of that builder), "
+                  "block-cuts, "
+                  "paper, stochastic-intensity, mutant:NAME, or the light tree in a shared library "
+                  "written after "
+                  "lightcuts/oracle/subject_abi.h, ./FILE.so")
       ->capture_default_str();
   add_plugin_options(command, options.plugin);
 }

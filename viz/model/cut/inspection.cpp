@@ -7,7 +7,9 @@
 #include <unordered_set>
 
 #include <glm/geometric.hpp>
+#include <lightcuts/core/blocks/block_cut_selector.h>
 #include <lightcuts/core/numerics/exact_dot.h>
+#include <lightcuts/render/view/pixel_square.h>
 #include <oracle/properties/point_case.h>
 #include <oracle/truth/clairvoyant.h>
 
@@ -54,6 +56,8 @@ public:
     CutConfig config = this->config();
     config.max_size = max_size;
     const auto sees_light = [this](std::uint32_t light) { return sees(light); };
+    if (key_.frame.method == methods::block_cuts && !scene_.counterexample())
+      return cut_in_square(config);
     if (!key_.frame.method->draws || scene_.counterexample())
       return tree.select(point(), config, sees_light);
     const std::uint64_t query =
@@ -62,11 +66,28 @@ public:
   }
 
 private:
+  /// What the pixel gets where its square is lit, as the renderer does it.
+  [[nodiscard]] Cut cut_in_square(const CutConfig& config) const {
+    const PixelSquare square(view_, key_.pixel);
+    BlockCutSelector select(*scene_.tree(), config, key_.frame.settings.seed);
+    const auto sees_light = [&](std::uint32_t p, std::uint32_t light) {
+      return view_.sees(square.seen[p], light);
+    };
+    const auto own = std::ranges::find(square.pixels, key_.pixel) - square.pixels.begin();
+    const BlockCut cut = select(square.points, square.query, sees_light, &clusters_)[own];
+    return {.radiance = cut.radiance,
+            .certified_error = cut.certified_error,
+            .clusters = clusters_[std::size_t(own)],
+            .shadow_rays = cut.shadow_rays,
+            .end = cut.end};
+  }
+
   const InspectionKey& key_;
   const OpenedScene& scene_;
   SceneView view_;
   std::optional<VisiblePoint> visible_;
   std::unordered_set<std::uint32_t> hidden_;
+  mutable std::vector<std::vector<CutCluster>> clusters_; ///< of the square's pixels
 };
 
 /// Distance to the nearest point of the box, metres.

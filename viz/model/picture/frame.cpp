@@ -12,8 +12,9 @@ SceneView view_for(const FrameKey& key) {
 }
 
 Frame::Frame(FrameKey key)
-    : Picture(key.scene->scene().image_size), key_(std::move(key)), view_(view_for(key_)),
-      rendering_(blank_rendering(size())) {
+    // Neighbours that are lit together are lit whether all are wanted or not.
+    : Picture(key.scene->scene().image_size, key.method != methods::block_cuts),
+      key_(std::move(key)), view_(view_for(key_)), rendering_(blank_rendering(size())) {
   config_.method = key_.method;
   config_.cut = cut_config(key_.settings, *key_.scene, view_);
   config_.seed = key_.settings.seed;

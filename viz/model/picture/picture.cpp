@@ -5,7 +5,8 @@
 
 namespace lightcuts::viz {
 
-Picture::Picture(glm::uvec2 size) : size_(size), known_(pixel_count(), 0) {}
+Picture::Picture(glm::uvec2 size, bool coarse_first)
+    : size_(size), coarse_first_(coarse_first), known_(pixel_count(), 0) {}
 
 void Picture::advance(const Progress& progress) {
   const Progress asked = Progress::until([&progress] { return progress.cancelled(); });
@@ -13,6 +14,7 @@ void Picture::advance(const Progress& progress) {
   try {
     for (const unsigned step : steps) {
       if (asked.cancelled()) break;
+      if (!coarse_first_ && step != steps.back()) continue;
       step_ = step;
       // A pixel becomes known by the thread that asked for it, so what it reads here is settled.
       make(

@@ -24,7 +24,8 @@ public:
   /// Pixels whose coordinates are multiples of these, one pass after the other.
   static constexpr std::array<unsigned, 3> steps{16, 4, 1};
 
-  explicit Picture(glm::uvec2 size);
+  /// Begins with the first of the steps, or, where what is coarse takes as long as all, the last.
+  explicit Picture(glm::uvec2 size, bool coarse_first = true);
   virtual ~Picture() = default;
   Picture(const Picture&) = delete;
   Picture& operator=(const Picture&) = delete;
@@ -69,6 +70,7 @@ private:
   }
 
   glm::uvec2 size_;
+  bool coarse_first_;
   mutable std::mutex mutex_;
   std::vector<char> known_;
   std::size_t known_count_ = 0;

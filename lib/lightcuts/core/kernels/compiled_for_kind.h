@@ -51,6 +51,20 @@ struct KindFunctions {
         point, [&](const auto& lobe) { return centroid_estimate<Kind>(tree, node, point, lobe); });
   }
 
+  template <class OneLobe>
+  [[gnu::flatten]] static void estimates_with(const LightTree& tree, std::uint32_t node,
+                                              std::span<const ShadingPoint* const> points,
+                                              const OneLobe* /*any*/, glm::dvec3* results) {
+    for (const ShadingPoint* point : points)
+      *results++ =
+          centroid_estimate<Kind>(tree, node, *point, std::get<OneLobe>(point->material().lobe));
+  }
+  static void estimates(const LightTree& tree, std::uint32_t node,
+                        std::span<const ShadingPoint* const> points, glm::dvec3* results) {
+    with_lobe(*points.front(),
+              [&](const auto& lobe) { estimates_with(tree, node, points, &lobe, results); });
+  }
+
   static glm::vec3 bound_of_block(const LightTree& tree, std::uint32_t node,
                                   const ShadingBlock& block) {
     return std::visit([&](const auto& lobe) { return block_bound<Kind>(tree, node, block, lobe); },
@@ -105,6 +119,7 @@ const KindKernel& CompiledForKind<Kind>::kernel() {
                                   F::cosine_bound,
                                   cluster_lower_bound<Kind>,
                                   F::bound_of_block,
+                                  F::estimates,
                                   F::evaluate,
                                   F::all_bounds,
                                   F::transfers};

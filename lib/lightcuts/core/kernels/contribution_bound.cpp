@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/core/kernels/contribution_bound.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
@@ -89,6 +90,20 @@ glm::dvec3 cluster_estimate(const LightTree& tree, std::uint32_t node, const Sha
     return kernel_of(tree.node(i)).centroid_estimate(tree, i, point);
   });
   return cluster.is_leaf() ? e : glm::min(e, glm::dvec3(bound));
+}
+
+void centroid_estimates(const LightTree& tree, std::uint32_t node,
+                        std::span<const ShadingPoint* const> points,
+                        std::span<glm::dvec3> results) {
+  assert(results.size() == points.size());
+  if (points.empty()) return;
+  if (!tree.node(node).is_mixed())
+    return kernel_of(tree.node(node)).centroid_estimates(tree, node, points, results.data());
+  std::transform(points.begin(), points.end(), results.begin(), [&](const ShadingPoint* point) {
+    return over_kinds(tree, node, [&](std::uint32_t i) {
+      return kernel_of(tree.node(i)).centroid_estimate(tree, i, *point);
+    });
+  });
 }
 
 } // namespace lightcuts

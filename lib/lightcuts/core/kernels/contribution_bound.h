@@ -50,4 +50,9 @@ void contribution_bounds(const LightTree& tree, const ShadingPoint& point,
                                           const ShadingPoint& point, const glm::vec3& bound,
                                           EstimateRule rule = EstimateRule::centroid);
 
+/// cluster_estimate() by centroids at many points, whose lobes are of one type, apart from the
+/// bound, which a caller is to cut them to; several times as fast. results: one per point.
+void centroid_estimates(const LightTree& tree, std::uint32_t node,
+                        std::span<const ShadingPoint* const> points, std::span<glm::dvec3> results);
+
 } // namespace lightcuts

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include <lightcuts/core/methods/block_cuts.h>
 #include <lightcuts/core/methods/lightcuts.h>
 #include <lightcuts/core/methods/no_specular_bound.h>
 #include <lightcuts/core/methods/paper.h>
@@ -19,7 +20,7 @@ namespace lightcuts {
 inline constexpr Method all_methods[] = {methods::reference,  methods::unscaled,
                                          methods::paper,      methods::stochastic_intensity,
                                          methods::stochastic, methods::no_specular_bound,
-                                         methods::lightcuts};
+                                         methods::lightcuts,  methods::block_cuts};
 
 [[nodiscard]] constexpr std::optional<Method> method_named(std::string_view name) {
   for (const Method method : all_methods)

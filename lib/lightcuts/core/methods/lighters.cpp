@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include <lightcuts/core/cut/certified_error.h>
 #include <lightcuts/core/cut/cut_selector.h>
 #include <lightcuts/core/cut/sum_lights.h>
@@ -47,7 +49,43 @@ private:
   CutSelector select_;
 };
 
+/// Neighbours together; a point alone is a block of one.
+class ByBlocks final : public PointLighter {
+public:
+  explicit ByBlocks(const LighterConfig& config) : select_(config.tree, config.cut, config.seed) {}
+
+  [[nodiscard]] bool shares() const override { return true; }
+
+  PixelResult light(const ShadingPoint& point, std::uint64_t query, Visibility visible) override {
+    const BlockPoint alone{point, glm::vec2(0)};
+    PixelResult result;
+    light_all({&alone, 1}, query,
+              [&](std::uint32_t /*point*/, std::uint32_t light) { return visible(light); },
+              {&result, 1});
+    return result;
+  }
+
+  void light_all(std::span<const BlockPoint> points, std::uint64_t query,
+                 const BlockVisibility& visible, std::span<PixelResult> results) override {
+    const std::span<const BlockCut> cuts = select_(points, query, visible);
+    std::transform(cuts.begin(), cuts.end(), results.begin(), [](const BlockCut& cut) {
+      return PixelResult{cut.radiance, cut.certified_error, static_cast<float>(cut.size),
+                         static_cast<float>(cut.shadow_rays), cut.end};
+    });
+  }
+
+private:
+  BlockCutSelector select_;
+};
+
 } // namespace
+
+void PointLighter::light_all(std::span<const BlockPoint> points, std::uint64_t query,
+                             const BlockVisibility& visible, std::span<PixelResult> results) {
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    results[i] =
+        light(points[i].point, query + i, [&](std::uint32_t light) { return visible(i, light); });
+}
 
 PixelResult result_of(const Cut& cut) {
   return {cut.radiance, cut.certified_error, static_cast<float>(cut.clusters.size()),
@@ -56,6 +94,10 @@ PixelResult result_of(const Cut& cut) {
 
 std::unique_ptr<PointLighter> lighter_by_sums(const LighterConfig& config) {
   return std::make_unique<BySums>(config);
+}
+
+std::unique_ptr<PointLighter> lighter_by_blocks(const LighterConfig& config) {
+  return std::make_unique<ByBlocks>(config);
 }
 
 std::unique_ptr<PointLighter> lighter_by_cuts(const LighterConfig& config,

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include <glm/vec3.hpp>
+#include <lightcuts/core/blocks/block_cut_selector.h>
 #include <lightcuts/core/cut/cut.h>
 #include <lightcuts/core/cut/visibility.h>
 #include <lightcuts/core/kernels/cluster_kernel.h>
@@ -22,10 +24,15 @@ struct PixelResult {
   CutEnd end = CutEnd::converged;
 };
 
-/// Lights one shading point after another by one method; one per thread.
+/// Lights shading points by one method, one after another or neighbours together; one per thread.
 class PointLighter {
 public:
   virtual ~PointLighter() = default;
+  /// Whether neighbours are to be lit together, by light_all().
+  [[nodiscard]] virtual bool shares() const { return false; }
+  /// query: that of the first point. A result for each point.
+  virtual void light_all(std::span<const BlockPoint> points, std::uint64_t query,
+                         const BlockVisibility& visible, std::span<PixelResult> results);
   /// query: a number of its own for each point, such as the pixel's index. visible(i) tells whether
   /// light i is seen from there.
   virtual PixelResult light(const ShadingPoint& point, std::uint64_t query, Visibility visible) = 0;
@@ -76,6 +83,8 @@ private:
 
 /// Sums all lights.
 [[nodiscard]] std::unique_ptr<PointLighter> lighter_by_sums(const LighterConfig& config);
+/// Picks cuts for neighbours together.
+[[nodiscard]] std::unique_ptr<PointLighter> lighter_by_blocks(const LighterConfig& config);
 /// Picks a cut for each point by these rules.
 [[nodiscard]] std::unique_ptr<PointLighter> lighter_by_cuts(const LighterConfig& config,
                                                             const ClusterRules& rules);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/view/renderer.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <tbb/task_arena.h>
 
 #include <lightcuts/core/jobs/seconds_since.h>
+#include <lightcuts/render/view/pixel_square.h>
 
 namespace lightcuts {
 namespace {
@@ -24,6 +26,9 @@ void store(Rendering& r, std::size_t i, const PixelResult& result, const glm::ve
   r.end[i] = result.end;
 }
 
+/// Tiles are what threads take in turn; whole squares.
+constexpr unsigned tile_side = 2 * PixelSquare::side;
+
 using Wanted = std::function<bool(glm::uvec2)>;
 
 /// What of which picture is to be rendered.
@@ -36,6 +41,13 @@ struct Task {
 
   [[nodiscard]] bool wants(glm::uvec2 pixel) const { return !wanted || wanted(pixel); }
 };
+
+bool wants_any(const Task& task, const PixelRect& rect) {
+  for (unsigned y = rect.lo.y; y < rect.hi.y; ++y)
+    for (unsigned x = rect.lo.x; x < rect.hi.x; ++x)
+      if (task.wants({x, y})) return true;
+  return false;
+}
 
 /// What the task's method lights with; a cut's kernel may know whether anything occludes.
 LighterConfig lighter_config(const Task& task) {
@@ -83,11 +95,51 @@ void render_tiles(const Task& task) {
     if (any && config.done) config.done({{begin, y}, {end, y + 1}});
     return true;
   };
+  /// Neighbours together. Whether all that are wanted have been rendered.
+  const auto light_square = [&](const PixelRect& rect, PointLighter& lighter) {
+    if (!wants_any(task, rect)) return true;
+    if (config.progress.cancelled()) return false;
+    const auto start = Clock::now();
+    const PixelSquare square(task.view, rect.lo);
+    std::vector<PixelResult> results(square.pixels.size());
+    const auto visible = [&](std::uint32_t p, std::uint32_t light) {
+      return task.view.casts_to(square.seen[p], light);
+    };
+    lighter.light_all(square.points, square.query, visible, results);
+    const double each =
+        1e6 * seconds_since(start) / double(std::max<std::size_t>(1, results.size()));
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      if (!task.wants(square.pixels[k])) continue;
+      const std::size_t i = std::size_t(square.pixels[k].y) * size.x + square.pixels[k].x;
+      store(task.picture, i, results[k], square.seen[k].emission);
+      task.picture.microseconds[i] = static_cast<float>(each);
+      ++surface_pixels;
+    }
+    if (config.done) config.done(rect);
+    return true;
+  };
+  const auto light_squares = [&](const PixelRect& tile, PointLighter& lighter) {
+    for (unsigned y = tile.lo.y; y < tile.hi.y; y += PixelSquare::side)
+      for (unsigned x = tile.lo.x; x < tile.hi.x; x += PixelSquare::side)
+        if (!light_square({{x, y},
+                           {std::min(x + PixelSquare::side, tile.hi.x),
+                            std::min(y + PixelSquare::side, tile.hi.y)}},
+                          lighter))
+          return false;
+    return true;
+  };
+  const auto light_rows = [&](const PixelRect& tile, PointLighter& lighter) {
+    for (unsigned y = tile.lo.y; y < tile.hi.y; ++y)
+      if (!light_row(y, tile.lo.x, tile.hi.x, lighter)) return false;
+    return true;
+  };
   const auto light_tile = [&](const tbb::blocked_range2d<unsigned>& tile) {
     PointLighter& lighter = *lighters.local();
-    for (unsigned y = tile.rows().begin(); y < tile.rows().end(); ++y)
-      if (!light_row(y, tile.cols().begin(), tile.cols().end(), lighter)) return;
-    const auto done = pixels_done += tile.rows().size() * tile.cols().size();
+    const PixelRect rect{{tile.cols().begin() * tile_side, tile.rows().begin() * tile_side},
+                         {std::min(tile.cols().end() * tile_side, size.x),
+                          std::min(tile.rows().end() * tile_side, size.y)}};
+    if (!(lighter.shares() ? light_squares(rect, lighter) : light_rows(rect, lighter))) return;
+    const auto done = pixels_done += std::uint64_t(rect.hi.x - rect.lo.x) * (rect.hi.y - rect.lo.y);
     config.progress.report(double(done) / (double(size.x) * size.y));
   };
 
@@ -95,8 +147,9 @@ void render_tiles(const Task& task) {
   tbb::task_arena arena(config.threads == 0 ? tbb::task_arena::automatic
                                             : static_cast<int>(config.threads));
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range2d<unsigned>(0, size.y, 16, 0, size.x, 16), light_tile,
-                      tbb::simple_partitioner());
+    const auto tiles = [](unsigned pixels) { return (pixels + tile_side - 1) / tile_side; };
+    tbb::parallel_for(tbb::blocked_range2d<unsigned>(0, tiles(size.y), 1, 0, tiles(size.x), 1),
+                      light_tile, tbb::simple_partitioner());
   });
   task.picture.seconds += seconds_since(start);
   task.picture.surface_pixels += surface_pixels;

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/core/blocks/block_cut_selector.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <lightcuts/core/cut/certified_error.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
+#include <lightcuts/core/numerics/rounding.h>
+#include <lightcuts/core/numerics/splitmix.h>
+
+namespace lightcuts {
+namespace {
+
+/// After how many steps points may stop next: a twelfth more. As many as that a cut may be larger
+/// than it need be; in between nobody looks.
+std::size_t next_stop(std::size_t steps) { return steps + std::max<std::size_t>(1, steps / 12); }
+
+/// Whether all points look at this cut even if none of the samples would stop here.
+bool is_census(std::size_t before, std::size_t steps) {
+  for (std::size_t census = 64; census <= steps; census *= 4)
+    if (before < census) return true;
+  return false;
+}
+
+double mean_of(const glm::dvec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
+
+} // namespace
+
+BlockCutSelector::BlockCutSelector(const LightTree& tree, const CutConfig& config,
+                                   std::uint64_t seed)
+    : tree_(&tree), config_(config), seed_(splitmix64(seed)), chain_(tree, config),
+      evidence_(tree, config.unoccluded) {
+  validate(config);
+}
+
+std::span<const BlockCut>
+BlockCutSelector::operator()(std::span<const BlockPoint> points, std::uint64_t query,
+                             const BlockVisibility& visible,
+                             std::vector<std::vector<CutCluster>>* clusters) {
+  all_ = points;
+  query_ = query;
+  record_ = clusters;
+  cuts_.assign(points.size(), {});
+  if (record_ != nullptr) record_->assign(points.size(), {});
+  if (tree_->empty()) return cuts_;
+  const auto from_member = [&](std::uint32_t p, std::uint32_t light) {
+    return visible(members_[p], light);
+  };
+  const BlockVisibility by_members(from_member);
+  visible_ = &by_members;
+  for (Members& group : groups_of_like_lobes(points)) light(std::move(group));
+  return cuts_;
+}
+
+void BlockCutSelector::light(Members members) {
+  members_ = std::move(members);
+  points_.clear();
+  places_.clear();
+  std::vector<ShadingPoint> copies;
+  for (const std::uint32_t i : members_) {
+    points_.push_back(&all_[i].point);
+    places_.push_back(all_[i].place);
+    copies.push_back(all_[i].point);
+  }
+  const auto last = std::uint32_t(members_.size() - 1);
+  samples_ = {0, last / 3, last - last / 3, last};
+  samples_.erase(std::unique(samples_.begin(), samples_.end()), samples_.end());
+
+  constexpr double widest_chord2 = 0.5; // of the cone of normals: 41 degrees about its axis
+  const ShadingBlock block(copies);
+  if (members_.size() == 1 || block.directions().normals.chord2 <= widest_chord2) {
+    if (walk(block)) return;
+    for (std::uint32_t p = 0; p < members_.size(); ++p)
+      cuts_[members_[p]].shadow_rays += evidence_.shadow_rays(p);
+  }
+  auto [near, far] = parted(all_, members_);
+  light(std::move(near));
+  light(std::move(far));
+}
+
+bool BlockCutSelector::walk(const ShadingBlock& block) {
+  evidence_.start(points_, seed_ ^ (query_ + members_.front()));
+  chain_.start(block);
+  share_.start(places_);
+  Members open(points_.size());
+  std::iota(open.begin(), open.end(), 0U);
+  std::size_t weighed_at = 0, before = 0;
+  bool all_look = points_.size() <= samples_.size(), was_judged = false;
+  while (!open.empty()) {
+    const std::size_t steps = chain_.steps();
+    const bool is_judged = steps >= 8 || chain_.ended();
+    if (!was_judged && is_judged && points_.size() > 1 && is_too_loose()) return false;
+    was_judged = is_judged;
+    largest_bound_ = chain_.largest_bound();
+    const bool weighs = steps >= 2 * weighed_at;
+    if (!all_look || weighs) {
+      glm::dvec3 mean(0);
+      if (ask_samples(mean)) all_look = true;
+      if (weighs) {
+        chain_.weigh(mean);
+        weighed_at = std::max<std::size_t>(1, steps);
+      }
+    }
+    // Nobody stops before it is known whether the block stays together, so that this does not
+    // depend on the threshold.
+    if (is_judged && (all_look || chain_.ended() || is_census(before, steps))) settle(open);
+    before = steps;
+    chain_.advance_to(next_stop(steps));
+  }
+  return true;
+}
+
+bool BlockCutSelector::is_too_loose() const {
+  constexpr double most = 1.5; // times those of the point where they are largest
+  double of_block = 0, of_points = 0;
+  for (const CutChain::Link& c : chain_.clusters()) of_block += mean_of(c.bound);
+  for (const std::uint32_t p : samples_) {
+    double own = 0;
+    for (const CutChain::Link& c : chain_.clusters())
+      if (c.bound != glm::vec3(0)) own += mean_of(contribution_bound(*tree_, c.node, *points_[p]));
+    of_points = std::max(of_points, own);
+  }
+  return of_block > most * of_points;
+}
+
+bool BlockCutSelector::ask_samples(glm::dvec3& mean) {
+  evidence_.look(chain_.clusters(), samples_, *visible_);
+  bool any = false;
+  for (const std::uint32_t p : samples_) {
+    const glm::dvec3 total = evidence_.total(chain_.clusters().size(), p);
+    mean += total / double(samples_.size());
+    any = any || obeys(total);
+  }
+  return any;
+}
+
+bool BlockCutSelector::obeys(const glm::dvec3& total) const {
+  for (int c = 0; c < 3; ++c)
+    if (largest_bound_[c] > config_.threshold * total[c]) return false;
+  return true;
+}
+
+void BlockCutSelector::settle(Members& open) {
+  evidence_.look(chain_.clusters(), open, *visible_);
+  group_.clear();
+  for (const std::uint32_t p : open)
+    if (chain_.ended() || obeys(evidence_.total(chain_.clusters().size(), p))) group_.push_back(p);
+  if (group_.empty()) return;
+  bound_sum_ = glm::dvec3(0);
+  for (const CutChain::Link& c : chain_.clusters()) bound_sum_ += glm::dvec3(c.bound);
+  if (config_.unoccluded)
+    for (const std::uint32_t p : group_)
+      finish(p, evidence_.total(chain_.clusters().size(), p), nullptr, 0);
+  else
+    share_out();
+  Members left;
+  std::ranges::set_difference(open, group_, std::back_inserter(left));
+  open = std::move(left);
+}
+
+void BlockCutSelector::share_out() {
+  struct Sums {
+    glm::dvec3 total{0};
+    // Means of the channels: by how much the shares differ from what the point saw, and the
+    // variance of that if the shares are right.
+    double moved = 0, variance = 0;
+  };
+  const std::size_t count = chain_.clusters().size(), stride = group_.size();
+  std::vector<Sums> sums(stride);
+  shares_.resize(count * stride);
+  for (std::size_t place = 0; place < count; ++place) {
+    const std::uint32_t node = chain_.clusters()[place].node;
+    const bool leaf = tree_->node(node).is_leaf();
+    const VisibleShare::Plane plane =
+        leaf ? VisibleShare::Plane() : share_.fit(evidence_, place, node);
+    for (std::size_t i = 0; i < stride; ++i) {
+      const std::uint32_t p = group_[i];
+      const float own = evidence_.sees(place, p) ? 1.0F : 0.0F;
+      const float share = leaf ? own : static_cast<float>(share_.at(plane, p));
+      const glm::dvec3& open = evidence_.open(place, p);
+      const double light = mean_of(open);
+      shares_[place * stride + i] = share;
+      sums[i].total += open * double(share);
+      sums[i].moved += light * (double(share) - own);
+      sums[i].variance += light * light * share * (1 - double(share));
+    }
+  }
+  Members done;
+  for (std::size_t i = 0; i < stride; ++i) {
+    constexpr double most_deviations2 = 3 * 3;
+    const std::uint32_t p = group_[i];
+    const auto& [total, moved, variance] = sums[i];
+    const bool contradicts = moved * moved > most_deviations2 * variance;
+    if (contradicts) evidence_.look_for_itself(chain_.clusters(), p, *visible_);
+    const glm::dvec3 taken = contradicts ? evidence_.total(count, p) : total;
+    if (!chain_.ended() && !obeys(taken)) continue;
+    finish(p, taken, contradicts ? nullptr : &shares_[i], stride);
+    done.push_back(p);
+  }
+  group_ = std::move(done);
+}
+
+CutEnd BlockCutSelector::end_of(std::uint32_t p, const glm::dvec3& total) const {
+  if (obeys(total) && config_.black_level == 0) return CutEnd::converged;
+  // By the point's own bounds, which may be smaller than those of the block.
+  CutEnd end = CutEnd::converged;
+  for (const CutChain::Link& cluster : chain_.clusters()) {
+    if (cluster.bound == glm::vec3(0)) continue;
+    const glm::vec3 own =
+        glm::min(cluster.bound, contribution_bound(*tree_, cluster.node, *points_[p]));
+    for (int c = 0; c < 3; ++c) {
+      if (own[c] <= config_.threshold * total[c]) continue;
+      if (own[c] > config_.black_level) return CutEnd::max_size;
+      end = CutEnd::black_level;
+    }
+  }
+  return end;
+}
+
+glm::dvec3 BlockCutSelector::error_bound(std::uint32_t p) const {
+  if (!config_.unoccluded) return bound_sum_;
+  // Estimate and truth lie between lower and upper bound.
+  glm::dvec3 sum(0);
+  for (std::size_t place = 0; place < chain_.clusters().size(); ++place) {
+    const CutChain::Link& cluster = chain_.clusters()[place];
+    if (cluster.bound == glm::vec3(0)) continue;
+    const glm::dvec3 high(cluster.bound);
+    const glm::dvec3 low(contribution_lower_bound(*tree_, cluster.node, *points_[p]));
+    const glm::dvec3 estimate = evidence_.open(place, p);
+    sum += glm::min(high, glm::max(estimate - low, high - estimate));
+  }
+  return sum;
+}
+
+void BlockCutSelector::finish(std::uint32_t p, const glm::dvec3& total, const float* shares,
+                              std::size_t stride) {
+  const auto clusters = chain_.clusters();
+  BlockCut& cut = cuts_[members_[p]];
+  cut.size = std::uint32_t(clusters.size());
+  cut.shadow_rays += evidence_.shadow_rays(p);
+  cut.end = end_of(p, total);
+  const glm::dvec3 error = error_bound(p);
+  for (int c = 0; c < 3; ++c) {
+    cut.radiance[c] = to_float(total[c]);
+    cut.certified_error[c] = certified_error(total[c], error[c]);
+  }
+  if (record_ == nullptr) return;
+  for (std::size_t place = 0; place < clusters.size(); ++place) {
+    const float own = evidence_.sees(place, p) ? 1.0F : 0.0F;
+    const double share = shares != nullptr ? shares[place * stride] : own;
+    (*record_)[members_[p]].push_back(
+        {clusters[place].node, share > 0, evidence_.open(place, p) * share, clusters[place].bound});
+  }
+}
+
+} // namespace lightcuts

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <lightcuts/render/view/pixel_square.h>
+
+#include <utility>
+
+#include <glm/common.hpp>
+
+namespace lightcuts {
+
+PixelSquare::PixelSquare(const SceneView& view, glm::uvec2 pixel) {
+  const glm::uvec2 lo = pixel / side * side, hi = glm::min(lo + side, view.size());
+  for (unsigned y = lo.y; y < hi.y; ++y)
+    for (unsigned x = lo.x; x < hi.x; ++x) {
+      auto p = view.at({x, y});
+      if (!p) continue;
+      pixels.emplace_back(x, y);
+      points.push_back({p->point, {x, y}});
+      seen.push_back(std::move(*p));
+    }
+  if (!pixels.empty()) query = std::uint64_t(pixels.front().y) * view.size().x + pixels.front().x;
+}
+
+} // namespace lightcuts

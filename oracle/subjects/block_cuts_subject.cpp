@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <oracle/subjects/block_cuts_subject.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <lightcuts/core/blocks/block_cut_selector.h>
+#include <lightcuts/core/methods/block_cuts.h>
+#include <lightcuts/core/numerics/splitmix.h>
+#include <lightcuts/core/tree/tree_builder.h>
+#include <oracle/subjects/library_subject.h>
+
+namespace lightcuts::oracle {
+namespace {
+
+/// Numbers in [0, 1) that a point decides.
+class PointDice {
+public:
+  explicit PointDice(const ShadingPoint& point) {
+    for (const glm::vec3& v : {point.position(), point.normal(), point.to_viewer()})
+      for (int c = 0; c < 3; ++c) state_ = splitmix64(state_ ^ std::bit_cast<std::uint32_t>(v[c]));
+  }
+  double number() {
+    state_ = splitmix64(state_);
+    return double(state_ >> 11) * 0x1p-53;
+  }
+  glm::vec3 vector() {
+    const double x = number(), y = number(), z = number();
+    return 2.0F * glm::vec3(x, y, z) - 1.0F;
+  }
+  [[nodiscard]] std::uint64_t state() const { return state_; }
+
+private:
+  std::uint64_t state_ = 0;
+};
+
+glm::vec3 turned(const glm::vec3& unit, const glm::vec3& by) {
+  return glm::vec3(glm::normalize(glm::dvec3(unit) + glm::dvec3(by)));
+}
+
+/// Brighter and darker versions of it.
+Material like(const Material& material, double share) {
+  Material other = material;
+  other.diffuse *= float(share);
+  std::visit(
+      [&](auto& lobe) {
+        if constexpr (requires { lobe.reflectance; }) lobe.reflectance *= float(share);
+      },
+      other.lobe);
+  return other;
+}
+
+/// The point, somewhere among its neighbours.
+struct Block {
+  std::vector<BlockPoint> points;
+  std::uint32_t own = 0;
+
+  explicit Block(const ShadingPoint& point, PointDice& dice) {
+    constexpr unsigned side = 4;
+    own = std::uint32_t(dice.number() * (side * side));
+    // From all but one point to as wide as it is far from the origin, or a metre.
+    const float extent = float(std::exp2(-30 * dice.number())) *
+                         std::max(1.0F, glm::length(point.position()) * 0x1p-4F);
+    const float turn = dice.number() < 0.5 ? 0 : float(dice.number()) * 0.5F;
+    for (std::uint32_t i = 0; i < side * side; ++i) {
+      const glm::vec2 place(float(i % side), float(i / side));
+      if (i == own) {
+        points.push_back({point, place});
+        continue;
+      }
+      const glm::vec3 moved = point.position() + extent * dice.vector();
+      const glm::vec3 position =
+          glm::all(glm::lessThan(glm::abs(moved), glm::vec3(1e38F))) ? moved : point.position();
+      points.push_back({ShadingPoint(position, turned(point.normal(), turn * dice.vector()),
+                                     turned(point.to_viewer(), turn * dice.vector()),
+                                     like(point.material(), dice.number())),
+                        place});
+    }
+  }
+};
+
+class BlockCutsTree final : public LibraryTree {
+public:
+  using LibraryTree::LibraryTree;
+
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<BlockCutsTree>(shared_tree());
+  }
+
+  Cut select(const ShadingPoint& point, const CutConfig& config,
+             const std::function<bool(std::uint32_t)>& visible) override {
+    PointDice dice(point);
+    const Block block(point, dice);
+    const auto seen = [&](std::uint32_t p, std::uint32_t light) {
+      const std::uint64_t bits = splitmix64(dice.state() ^ (std::uint64_t(p) << 32 | light));
+      const bool differs = p != block.own && bits % 8 == 0;
+      return visible(light) != differs;
+    };
+    BlockCutSelector selector(tree(), config);
+    const BlockCut found = selector(block.points, 1, seen, &clusters_)[block.own];
+    return {.radiance = found.radiance,
+            .certified_error = found.certified_error,
+            .clusters = clusters_[block.own],
+            .shadow_rays = found.shadow_rays,
+            .end = found.end};
+  }
+
+private:
+  std::vector<std::vector<CutCluster>> clusters_;
+};
+
+class BlockCutsSubject final : public KernelSubject {
+public:
+  using KernelSubject::KernelSubject;
+  [[nodiscard]] Parts parts() const override {
+    return KernelSubject::parts() & ~only(Part::pictures) & ~only(Part::library_rules);
+  }
+  [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
+                                                   std::uint64_t seed) const override {
+    return std::make_unique<BlockCutsTree>(lightcuts::build(lights, {seed}));
+  }
+};
+
+} // namespace
+
+std::unique_ptr<Subject> block_cuts_subject() {
+  return std::make_unique<BlockCutsSubject>(methods::block_cuts.name);
+}
+
+} // namespace lightcuts::oracle
