@@ -28,10 +28,11 @@ namespace lightcuts::oracle::radiometry {
 /// Of a number that is not negative.
 template <class Real>
 [[nodiscard]] Real square_root(const Real& x) {
+  using std::sqrt;
   if constexpr (std::is_same_v<Real, Exact>)
     return x > 0 ? square_root_of_exact(x) : Exact(0);
   else
-    return std::sqrt(x);
+    return sqrt(x);
 }
 
 } // namespace lightcuts::oracle::radiometry
