@@ -2,6 +2,7 @@
 #include <oracle/campaign/hunt.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,18 @@ namespace {
 std::size_t distance_from_cause(const Subject& subject, Property property) {
   const bool waste = severity_of(property, subject.parts()) == Severity::waste;
   return std::size_t(property) + (waste ? property_count : 0);
+}
+
+/// See Counterexample::least_lights.
+std::uint32_t least_lights_of(const Subject& subject, const Counterexample& c) {
+  constexpr std::uint32_t few = 100;
+  const auto count = std::uint32_t(c.on.lights.size());
+  if (count <= few) return 0;
+  const std::array without{0U, count / 2, count - 1};
+  const bool hold = std::none_of(without.begin(), without.end(), [&](std::uint32_t light) {
+    return failure_of(subject, c.property, without_lights(c.on, light, 1)).has_value();
+  });
+  return hold ? count : 0;
 }
 
 } // namespace
@@ -83,6 +96,7 @@ Counterexample shrunk(const Subject& subject, const Counterexample& found, doubl
     });
     if (next) best = *next;
   }
+  if (seconds > 0) best.least_lights = least_lights_of(subject, best);
   return best;
 }
 

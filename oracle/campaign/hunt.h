@@ -26,6 +26,9 @@ struct Counterexample {
   Case on;
   std::string message;
   std::uint64_t index = 0; ///< of the random case it comes from
+  /// Where it takes more than 100 lights: how many there are, if with one less the property was
+  /// found to hold, whether the first, the middle or the last of them was left out. 0: not known.
+  std::uint32_t least_lights = 0;
 
   template <class Visitor>
   static constexpr void fields(Visitor&& field) {
@@ -33,6 +36,7 @@ struct Counterexample {
     field("message", &Counterexample::message);
     field("index", &Counterexample::index);
     field("case", &Counterexample::on);
+    field("least_lights", &Counterexample::least_lights, domain::optional);
   }
 };
 
@@ -52,7 +56,8 @@ struct HuntResult {
 [[nodiscard]] HuntResult hunt(const Subject& subject, const HuntConfig& config);
 
 /// A counterexample of the same property, as simple as can be found in so many seconds: given time
-/// enough, no simpler() case of it fails.
+/// enough, no simpler() case of it fails. That it takes so many lights is looked into at the end,
+/// which takes the time that three such cases take; not at all in 0 seconds.
 [[nodiscard]] Counterexample shrunk(const Subject& subject, const Counterexample& found,
                                     double seconds = 10);
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <oracle/cases/blocks.h>
 #include <oracle/cases/random_pixels.h>
 
 namespace lightcuts::oracle {
@@ -225,6 +226,8 @@ Case random_case(std::uint64_t seed, std::uint64_t index) {
     add_history(aside, c, age);
   else if (aside.one_in(12))
     add_history(aside, c, aside.one_in(4) ? 256 : std::uint32_t(aside.between(0, 40)));
+  else if (Dice near = aside.aside(); near.one_in(8))
+    make_block(near, c);
   return c;
 }
 

@@ -21,6 +21,12 @@ std::vector<std::uint32_t> without(const std::vector<std::uint32_t>& indices, st
   return left;
 }
 
+template <class T>
+void erase(std::vector<T>& values, std::size_t first, std::size_t count) {
+  const auto begin = values.begin() + std::ptrdiff_t(first);
+  values.erase(begin, begin + std::ptrdiff_t(count));
+}
+
 bool is_somewhere(const Light& light) { return light.kind != LightKind::directional; }
 
 /// Hands out copies of a case in which something is simpler. All functions return whether the
@@ -66,19 +72,10 @@ private:
     });
   }
 
-  template <class T>
-  static void erase(std::vector<T>& values, std::size_t first, std::size_t count) {
-    const auto begin = values.begin() + std::ptrdiff_t(first);
-    values.erase(begin, begin + std::ptrdiff_t(count));
-  }
-
   [[nodiscard]] bool lights() const {
     return for_chunks(of_.lights.size(), 1, [this](std::size_t first, std::size_t chunk) {
-      return with([&](Case& c) {
-        erase(c.lights, first, chunk);
-        for (CaseView& v : c.views)
-          v.hidden = without(v.hidden, std::uint32_t(first), std::uint32_t(chunk));
-      });
+      Case c = without_lights(of_, std::uint32_t(first), std::uint32_t(chunk));
+      return visitor_(c);
     });
   }
 
@@ -236,6 +233,12 @@ private:
 };
 
 } // namespace
+
+Case without_lights(Case of, std::uint32_t first, std::uint32_t count) {
+  erase(of.lights, first, count);
+  for (CaseView& v : of.views) v.hidden = without(v.hidden, first, count);
+  return of;
+}
 
 bool visit_simpler(const Case& of, const std::function<bool(Case&)>& visitor) {
   return Simpler(of, visitor).all();

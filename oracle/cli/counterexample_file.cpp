@@ -33,6 +33,10 @@ std::string CounterexampleFile::text() const {
       counted(shrunk_.on.lights.size(), "light") + ", " + counted(shrunk_.on.views.size(), "view");
   if (!shrunk_.on.triangles.empty())
     size += ", " + counted(shrunk_.on.triangles.size(), "triangle");
+  if (const auto least = shrunk_.least_lights; least > 0)
+    size += fmt::format(", from {} lights on (with {} it holds, be it without the first, the "
+                        "middle or the last)",
+                        least, least - 1);
   return fmt::format("\n{} does not hold on {}:\n  {}\nwritten to {}; replay it:\n  {}\n",
                      info(shrunk_.property).name, size, shrunk_.message, file_.string(),
                      replay_command(file_));
@@ -44,6 +48,8 @@ nlohmann::ordered_json CounterexampleFile::json() const {
           {"message", shrunk_.message},
           {"index", shrunk_.index},
           {"lights", shrunk_.on.lights.size()},
+          {"least_lights", shrunk_.least_lights > 0 ? nlohmann::ordered_json(shrunk_.least_lights)
+                                                    : nlohmann::ordered_json()},
           {"views", shrunk_.on.views.size()},
           {"triangles", shrunk_.on.triangles.size()},
           {"replay", replay_command(file_)}};

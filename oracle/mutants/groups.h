@@ -22,6 +22,7 @@ namespace lightcuts::oracle {
 [[nodiscard]] std::span<const Mutant> subtle_mutants();
 [[nodiscard]] std::span<const Mutant> size_mutants();
 [[nodiscard]] std::span<const Mutant> age_mutants();
+[[nodiscard]] std::span<const Mutant> block_mutants();
 
 /// The library's kernel for any tree, of which a mutant puts one thing of its own in place.
 struct LibraryKernel : ClusterKernel {
@@ -142,7 +143,7 @@ public:
   using KernelSubject::KernelSubject;
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
-    return std::make_unique<LibraryTree>(build_altered(lights, seed));
+    return std::make_unique<BatchedTree<>>(build_altered(lights, seed));
   }
 };
 

@@ -10,22 +10,29 @@ namespace lightcuts::oracle {
 namespace {
 
 /// The library's tree, but for how it draws.
-class OtherDraws : public LibraryTree {
+class OtherDraws : public BatchedTree<> {
 public:
-  using LibraryTree::LibraryTree;
+  using BatchedTree::BatchedTree;
   /// Lights each cluster of the library's cut by what sample() draws.
   Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
            const std::function<bool(std::uint32_t)>& visible) override {
-    Cut cut = select(point, config, [](std::uint32_t) { return true; });
-    clusters_.assign(cut.clusters.begin(), cut.clusters.end());
-    glm::dvec3 total(0);
-    for (CutCluster& c : clusters_) {
-      c.estimate = estimate_of(c.node, point, query, visible);
-      total += c.estimate;
-    }
-    for (int c = 0; c < 3; ++c) cut.radiance[c] = to_float(total[c]);
-    cut.clusters = clusters_;
-    return cut;
+    return lit(chosen(point, config), point, query, visible);
+  }
+  /// The cut is chosen once, and shares of children are computed once.
+  void draws(const ShadingPoint& point, const CutConfig& config,
+             std::span<const std::uint64_t> queries,
+             const std::function<bool(std::uint32_t)>& visible,
+             const std::function<void(const Cut&)>& take) override {
+    const Cut cut = chosen(point, config);
+    shares_.forget();
+    shares_of_ = &point;
+    for (const std::uint64_t query : queries) take(lit(cut, point, query, visible));
+    shares_of_ = nullptr;
+  }
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
+    if (&point != shares_of_) return LibraryTree::sample(node, point, u);
+    const LightSample s = sample_light(shares_, tree(), node, point, u);
+    return {s.light, s.probability};
   }
 
 protected:
@@ -47,7 +54,25 @@ protected:
   }
 
 private:
+  [[nodiscard]] Cut chosen(const ShadingPoint& point, const CutConfig& config) {
+    return select(point, config, [](std::uint32_t) { return true; });
+  }
+  Cut lit(Cut cut, const ShadingPoint& point, std::uint64_t query,
+          const std::function<bool(std::uint32_t)>& visible) {
+    clusters_.assign(cut.clusters.begin(), cut.clusters.end());
+    glm::dvec3 total(0);
+    for (CutCluster& c : clusters_) {
+      c.estimate = estimate_of(c.node, point, query, visible);
+      total += c.estimate;
+    }
+    for (int c = 0; c < 3; ++c) cut.radiance[c] = to_float(total[c]);
+    cut.clusters = clusters_;
+    return cut;
+  }
+
   std::vector<CutCluster> clusters_;
+  SharesAtPoint<HierarchicalImportance> shares_;
+  const ShadingPoint* shares_of_ = nullptr; ///< at which draws() are being made
 };
 
 /// Numbers of its own at each level, not u: asked again, it draws another light.
@@ -70,6 +95,21 @@ protected:
   [[nodiscard]] double number(std::uint64_t query, std::uint32_t /*node*/) const override {
     return random_number(1, query, 0);
   }
+};
+
+/// Random numbers that go on from draw to draw: asked the same again, it draws others, as well
+/// distributed.
+class DrawsGoOn : public CopiedPerThread<DrawsGoOn, OtherDraws> {
+public:
+  using CopiedPerThread<DrawsGoOn, OtherDraws>::CopiedPerThread;
+
+protected:
+  [[nodiscard]] double number(std::uint64_t query, std::uint32_t node) const override {
+    return random_number(++count_, query, node);
+  }
+
+private:
+  mutable std::uint64_t count_ = 0;
 };
 
 /// One light for its probability, another one to shade with.
@@ -216,6 +256,8 @@ constexpr Mutant sampling_catalogue[] = {
      with_tree<RandomNumberLost>},
     {"one-number-for-all", "draws from all clusters of a cut by one random number",
      with_tree<OneNumberForAll>},
+    {"draws-go-on", "draws by what numbers come next, and not by those that the query decides",
+     with_tree<DrawsGoOn>},
     {"resampled-between", "divides the light of one draw by the probability of another",
      with_tree<ResampledBetween>},
     {"dead-branch", "never draws from a child whose centre lies below the horizon",

@@ -12,6 +12,7 @@ namespace lightcuts::oracle {
 // Where a property is checked.
 struct TreeCase;
 class PointAnswers;
+struct BlockAnswers;
 struct CutAnswer;
 struct ClusterOdds;
 class Draws;
@@ -55,6 +56,7 @@ struct PropertyInfo {
   void (*of_tree)(const TreeCase&, const Recorder&) = nullptr;
   void (*of_history)(const HistoryCase&, const Recorder&) = nullptr;
   void (*of_clusters)(const PointAnswers&, NodeRange, const Recorder&) = nullptr;
+  void (*of_block)(const BlockAnswers&, const Recorder&) = nullptr;
   void (*of_cut)(const CutAnswer&, const Recorder&) = nullptr;
   void (*of_odds)(const ClusterOdds&, const Recorder&) = nullptr;
   void (*of_point)(const PointAnswers&, const CutConfig&, const Recorder&) = nullptr;

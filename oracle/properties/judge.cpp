@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include <oracle/cases/blocks.h>
+#include <oracle/properties/bounds/block_answers.h>
 #include <oracle/properties/cut_answer.h>
 #include <oracle/properties/each_view.h>
 #include <oracle/properties/history_case.h>
@@ -134,15 +136,28 @@ void Judge::history(const Subject& subject, const Case& on) const {
   run<&PropertyInfo::of_history>(HistoryCase{subject, on});
 }
 
+std::vector<glm::vec3> Judge::block_bounds(const Judged& judged, const Topology& topology,
+                                           const Case& on) const {
+  std::vector<glm::vec3> bounds;
+  if (!any<&PropertyInfo::of_block>() || !is_block(on)) return bounds;
+  std::vector<ShadingPoint> points;
+  for (const CaseView& view : on.views) points.push_back(view.view.point());
+  bounds.resize(topology.size());
+  judged.tree.block_bounds(points, bounds);
+  return bounds;
+}
+
 void Judge::views(const Judged& judged, const Topology& topology, const LightSet& lights,
                   const Case& on) const {
-  if (!any<&PropertyInfo::of_clusters>() && !any<&PropertyInfo::of_cut>() &&
-      !any<&PropertyInfo::of_odds>() && !any<&PropertyInfo::of_point>() &&
-      !any<&PropertyInfo::of_draws>())
+  if (!any<&PropertyInfo::of_clusters>() && !any<&PropertyInfo::of_block>() &&
+      !any<&PropertyInfo::of_cut>() && !any<&PropertyInfo::of_odds>() &&
+      !any<&PropertyInfo::of_point>() && !any<&PropertyInfo::of_draws>())
     return;
+  const std::vector<glm::vec3> of_block = block_bounds(judged, topology, on);
   for_each_view(on, topology, lights, place_, [&](std::size_t, const PointCase& at) {
     const PointAnswers answers(judged, at);
     clusters(answers);
+    if (!of_block.empty()) run<&PropertyInfo::of_block>(BlockAnswers{answers, of_block});
     const auto configs = cuts_of(on.cut, on.lights.size());
     if (on.lights.size() > many_lights) {
       cuts(answers, std::array{configs[0], configs[2]});

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <oracle/cases/case.h>
 #include <oracle/properties/point_case.h>
@@ -69,6 +70,9 @@ public:
   }
 
 private:
+  /// Bounds per node, of all views together; none where they are no block, or nobody asks.
+  [[nodiscard]] std::vector<glm::vec3> block_bounds(const Judged& judged, const Topology& topology,
+                                                    const Case& on) const;
   [[nodiscard]] bool has(Part part) const { return oracle::has(parts_, part); }
   [[nodiscard]] bool wants(Property property) const;
   [[nodiscard]] Recorder record(Property property) const {

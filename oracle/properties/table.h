@@ -11,6 +11,7 @@
   X(bound_dominates_contribution)                                                                  \
   X(bound_dominates_error)                                                                         \
   X(bounds_are_ordered)                                                                            \
+  X(block_bound_dominates)                                                                         \
   X(bound_shrinks_on_refinement)                                                                   \
   X(bound_is_finite)                                                                               \
   X(estimates_match_clusters)                                                                      \
@@ -28,6 +29,7 @@
   X(probabilities_sum_to_one)                                                                      \
   X(contributing_lights_are_drawn)                                                                 \
   X(draws_state_their_probability)                                                                 \
+  X(draws_are_repeatable)                                                                          \
   X(draws_follow_probabilities)                                                                    \
   X(draws_are_independent)                                                                         \
   X(stochastic_is_unbiased)                                                                        \

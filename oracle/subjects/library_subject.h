@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -12,6 +13,7 @@
 #include <lightcuts/core/cut/light_sampling.h>
 #include <lightcuts/core/cut/stochastic_cut.h>
 #include <lightcuts/core/kernels/contribution_bound.h>
+#include <lightcuts/core/lobes/shading_block.h>
 #include <lightcuts/core/tree/light_tree.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <oracle/subjects/subject.h>
@@ -61,6 +63,10 @@ public:
   glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) override {
     return kernel_->bound(*tree_, node, point);
   }
+  void block_bounds(std::span<const ShadingPoint> points, std::span<glm::vec3> out) override {
+    const ShadingBlock block(points);
+    for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = contribution_bound(*tree_, i, block);
+  }
   glm::vec3 lower_bound(std::uint32_t node, const ShadingPoint& point) override {
     return kernel_->lower_bound(*tree_, node, point);
   }
@@ -82,9 +88,7 @@ public:
   }
   Cut draw(const ShadingPoint& point, const CutConfig& config, std::uint64_t query,
            const std::function<bool(std::uint32_t)>& visible) override {
-    if (!random_ || !(random_->first == config))
-      random_.emplace(config, RandomSelector(*tree_, config));
-    return random_->second(point, query, visible);
+    return random_selector(config)(point, query, visible);
   }
 
 protected:
@@ -92,21 +96,28 @@ protected:
   [[nodiscard]] const std::shared_ptr<const LightTree>& shared_tree() const { return tree_; }
   [[nodiscard]] const SharedKernel& kernel() const { return kernel_; }
 
+  // The choice of a cut by the library's rules: only what is drawn is random.
+  using RandomSelector = BasicStochasticCutSelector<Importance>;
+  [[nodiscard]] RandomSelector& random_selector(const CutConfig& config) {
+    if (!random_ || !(random_->first == config))
+      random_.emplace(config, RandomSelector(*tree_, config));
+    return random_->second;
+  }
+
 private:
   std::shared_ptr<const LightTree> tree_;
   SharedKernel kernel_;
   CutLoops<StoppingRule> loops_;
-  // The choice of a cut by the library's rules: only what is drawn is random.
-  using RandomSelector = BasicStochasticCutSelector<Importance>;
   std::optional<std::pair<CutConfig, RandomSelector>> random_;
 };
 
 using LibraryTree = BasicLibraryTree<HierarchicalImportance>;
 
 /// A tree of the library that answers like BasicLibraryTree, sooner where there is much to be
-/// answered at once. Not to be derived from: it would go on answering that itself.
+/// answered at once. What is derived from it and answers one bound(), probability() or draw()
+/// otherwise has to do so at once, too: BatchedTree would go on answering that itself.
 template <class Importance = HierarchicalImportance>
-class BatchedTree final : public BasicLibraryTree<Importance> {
+class BatchedTree : public BasicLibraryTree<Importance> {
 public:
   using BasicLibraryTree<Importance>::BasicLibraryTree;
   [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
@@ -123,6 +134,14 @@ public:
     std::vector<double> result;
     for (const std::uint32_t light : lights) result.push_back(known[light]);
     return result;
+  }
+  void draws(const ShadingPoint& point, const CutConfig& config,
+             std::span<const std::uint64_t> queries,
+             const std::function<bool(std::uint32_t)>& visible,
+             const std::function<void(const Cut&)>& take) override {
+    auto& select = this->random_selector(config);
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      take(i == 0 ? select(point, queries[i], visible) : select.again(point, queries[i], visible));
   }
 };
 

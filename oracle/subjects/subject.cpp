@@ -32,6 +32,8 @@ const char* name_of(Part part) {
     return "pictures";
   case Part::random_cuts:
     return "random cuts";
+  case Part::block_bounds:
+    return "block bounds";
   case Part::greedy_tree:
     return "greedy tree";
   case Part::library_rules:
@@ -52,6 +54,10 @@ glm::vec3 SubjectTree::bound(std::uint32_t, const ShadingPoint&) { not_a_part(Pa
 
 void SubjectTree::bounds(const ShadingPoint& point, std::span<glm::vec3> out) {
   for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = bound(i, point);
+}
+
+void SubjectTree::block_bounds(std::span<const ShadingPoint>, std::span<glm::vec3>) {
+  not_a_part(Part::block_bounds);
 }
 
 glm::vec3 SubjectTree::lower_bound(std::uint32_t, const ShadingPoint&) {

@@ -39,12 +39,13 @@ enum class Part : unsigned {
   occlusion = 64,        ///< Subject::sees()
   pictures = 128,        ///< Subject::render()
   random_cuts = 256,     ///< SubjectTree::draw()
+  block_bounds = 512,    ///< SubjectTree::block_bounds()
   // Claims.
-  greedy_tree = 512,   ///< the tree is that of greedy clustering
-  library_rules = 1024 ///< what this library promises beyond what makes a light tree right
+  greedy_tree = 1024,  ///< the tree is that of greedy clustering
+  library_rules = 2048 ///< what this library promises beyond what makes a light tree right
 };
-inline constexpr int part_count = 9; ///< claims not counted
-inline constexpr Parts all_parts_and_claims = (1U << 11) - 1;
+inline constexpr int part_count = 10; ///< claims not counted
+inline constexpr Parts all_parts_and_claims = (1U << 12) - 1;
 [[nodiscard]] constexpr Parts only(Part part) { return unsigned(part); }
 [[nodiscard]] constexpr bool has(Parts parts, Part part) { return (parts & only(part)) != 0; }
 [[nodiscard]] const char* name_of(Part part);
@@ -77,6 +78,10 @@ public:
   virtual glm::vec3 bound(std::uint32_t node, const ShadingPoint& point);
   /// bound() of every node; `out` has room for them.
   virtual void bounds(const ShadingPoint& point, std::span<glm::vec3> out);
+  /// Of every node, an upper bound of the cluster's unoccluded contribution at each point of a
+  /// block: radiance, per channel. The points are one or more, whose lobes differ in reflectance
+  /// only; `out` has room for all nodes.
+  virtual void block_bounds(std::span<const ShadingPoint> block, std::span<glm::vec3> out);
   /// The subject's lower bound of the cluster's unoccluded contribution: radiance, per channel.
   virtual glm::vec3 lower_bound(std::uint32_t node, const ShadingPoint& point);
   /// The subject's estimate of the cluster's contribution if its representative is seen: radiance,

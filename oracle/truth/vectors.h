@@ -9,6 +9,7 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <glm/vec3.hpp>
+#include <oracle/truth/square_root.h>
 #include <oracle/truth/truth.h>
 
 /// What lights and materials are by their definitions, for any type of number: long double, whose
@@ -75,8 +76,7 @@ Vector<Real> vector_of(const glm::vec3& v) {
 
 template <class Real>
 Real length(const glm::vec3& v) {
-  using std::sqrt;
-  return sqrt(dot(vector_of<Real>(v), vector_of<Real>(v)));
+  return square_root<Real>(dot(vector_of<Real>(v), vector_of<Real>(v)));
 }
 
 template <class Real>

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/core/lights/light.h>
@@ -19,15 +20,17 @@ struct Way {
   glm::vec3 from, to;
   Vector<Real> q;
   Real distance2, distance, n_dot_l;
+  /// Once they are known: where they cancel they take a hundred times as long as all the rest, and
+  /// are the same for all lobes.
+  mutable std::optional<Real> known_half_tangent2, known_schlick;
 
   Way(const ShadingPoint& p, const Light& light)
       : Way(p, is_far(light.kind) ? glm::vec3(0) : p.position(), light.position) {}
   Way(const ShadingPoint& p, const glm::vec3& start, const glm::vec3& end)
       : point(p), from(start), to(end) {
-    using std::sqrt;
     for (int i = 0; i < 3; ++i) q[std::size_t(i)] = Real(to[i]) - Real(from[i]);
     distance2 = dot(q, q);
-    distance = sqrt(distance2);
+    distance = square_root<Real>(distance2);
     n_dot_l = distance2 == 0 ? Real(0) : Real(cosine_with(p.normal()));
   }
   [[nodiscard]] Real cosine_with(const glm::vec3& u) const {

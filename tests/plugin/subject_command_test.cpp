@@ -34,8 +34,8 @@ TEST(SubjectOption, JudgesAForeignTree) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("All properties hold."),
-                    HasSubstr("not judged: occlusion, pictures, random cuts (brute tree "
-                              "(libbrute_tree.so) does not offer them)")));
+                    HasSubstr("not judged: occlusion, pictures, random cuts, block bounds "
+                              "(brute tree (libbrute_tree.so) does not offer them)")));
 }
 
 TEST(SubjectOption, TellsWhatWasNotJudged) {
@@ -45,7 +45,7 @@ TEST(SubjectOption, TellsWhatWasNotJudged) {
   EXPECT_EQ(result["subject"], plugin_file("only_bounds").string());
   EXPECT_THAT(result["not_judged"],
               ElementsAre("lower bounds", "estimates", "cuts", "sampling", "refinement order",
-                          "occlusion", "pictures", "random cuts"));
+                          "occlusion", "pictures", "random cuts", "block bounds"));
 }
 
 TEST(SubjectOption, ConvictsInOnePiece) {

@@ -20,15 +20,19 @@ WorstChannel compared(const Wide& truth, const glm::vec3& bound, const MakeExact
 }
 
 void check_contribution(const PointAnswers& of, std::uint32_t node, const Recorder& record) {
-  const glm::vec3& bound = of.bounds()[node];
-  const WorstChannel worst = compared(of.at.truth.open(node), bound,
-                                      [&](int c) { return of.at.truth.exact_open(node, c); });
-  record(worst.holds, worst.ratio, [&] {
-    return sides_text(of, node, worst, "true contribution", "bound", bound[worst.channel]);
-  });
+  check_dominates(of, node, of.bounds()[node], "bound", record);
 }
 
 } // namespace
+
+void check_dominates(const PointAnswers& of, std::uint32_t node, const glm::vec3& bound,
+                     const char* name, const Recorder& record) {
+  const WorstChannel worst = compared(of.at.truth.open(node), bound,
+                                      [&](int c) { return of.at.truth.exact_open(node, c); });
+  record(worst.holds, worst.ratio, [&] {
+    return sides_text(of, node, worst, "true contribution", name, bound[worst.channel]);
+  });
+}
 
 void check_bound(const Topology& topology, const LightSet& lights, const ShadingPoint& point,
                  std::uint32_t node, const glm::vec3& bound, const Recorder& record) {

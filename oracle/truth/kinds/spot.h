@@ -37,7 +37,7 @@ private:
           const Exact d = Exact(x[i]) - Exact(light.position[i]);
           distance2 += d * d;
         }
-        const Exact exact = dot / (length<Exact>(light.axis) * sqrt(distance2));
+        const Exact exact = dot / (length<Exact>(light.axis) * square_root<Exact>(distance2));
         return Real(Exact(exact - Exact(light.cos_outer)));
       }
     }

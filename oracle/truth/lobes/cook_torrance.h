@@ -12,7 +12,6 @@ template <>
 struct LobeTruth<CookTorrance> : UsualLobe {
   template <class Real>
   static Vector<Real> value(const CookTorrance& lobe, const Way<Real>& way) {
-    using std::sqrt;
     Vector<Real> result{Real(0), Real(0), Real(0)};
     const Real viewer = viewer_cosine<Real>(way.point);
     if (viewer <= 0) return result;
@@ -21,9 +20,8 @@ struct LobeTruth<CookTorrance> : UsualLobe {
     const Real ratio = (1 + t) / (a2 + t);
     const Real d = a2 / pi<Real>() * ratio * ratio;
     const Real l = way.n_dot_l;
-    const Real v =
-        1 /
-        (2 * (l * sqrt(a2 + (1 - a2) * viewer * viewer) + viewer * sqrt(a2 + (1 - a2) * l * l)));
+    const Real v = 1 / (2 * (l * square_root<Real>(a2 + (1 - a2) * viewer * viewer) +
+                             viewer * square_root<Real>(a2 + (1 - a2) * l * l)));
     const Real s = schlick(way);
     for (int c = 0; c < 3; ++c) {
       const Real f0(lobe.f0[c]);
@@ -74,11 +72,16 @@ struct LobeTruth<CookTorrance> : UsualLobe {
   };
 
 private:
+  template <class Real>
+  static Real schlick(const Way<Real>& way) {
+    if (!way.known_schlick) way.known_schlick = schlick_of(way);
+    return *way.known_schlick;
+  }
+
   /// (1 - v.h)^5 with v.h = cos(half the angle between l and v); in 700 bits where that angle is
   /// all but a right one, since the root of what is left of 1 + l.v magnifies its error.
   template <class Real>
-  static Real schlick(const Way<Real>& way) {
-    using std::sqrt;
+  static Real schlick_of(const Way<Real>& way) {
     const glm::vec3& v = way.point.to_viewer();
     const Real cosine = way.cosine_with(v);
     const Real x = dot_between<Real>({0, -v.z, v.y}, way.from, way.to);
@@ -90,8 +93,8 @@ private:
     const Real versine = cosine > 0 ? Real(sine2 / (1 + cosine)) : Real(1 - cosine);
     const Real rest = versine > 2 ? Real(0) : Real(1 - versine / 2); // (v.h)^2
     if constexpr (!std::is_same_v<Real, Exact>)
-      if (rest < Real(0x1p-20)) return Real(schlick(way.exact()));
-    const Real w = (versine / 2) / (1 + sqrt(rest));
+      if (rest < Real(0x1p-20)) return Real(schlick_of(way.exact()));
+    const Real w = (versine / 2) / (1 + square_root<Real>(rest));
     return w * w * w * w * w;
   }
 };

@@ -12,12 +12,12 @@ template <>
 struct LobeTruth<Ward> : UsualLobe {
   template <class Real>
   static Vector<Real> value(const Ward& ward, const Way<Real>& way) {
-    using std::exp, std::sqrt;
+    using std::exp;
     const Real viewer = viewer_cosine<Real>(way.point);
     if (viewer <= 0) return {Real(0), Real(0), Real(0)};
     const Real a2 = Real(ward.alpha) * Real(ward.alpha);
-    const Real value =
-        exp(-half_tangent2(way) / a2) / (4 * pi<Real>() * a2 * sqrt(way.n_dot_l * viewer));
+    const Real value = exp(-half_tangent2(way) / a2) /
+                       (4 * pi<Real>() * a2 * square_root<Real>(way.n_dot_l * viewer));
     return scaled(ward.reflectance, value);
   }
   static double largest(const Ward& ward, double viewer_cosine, int channel) {

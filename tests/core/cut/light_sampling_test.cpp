@@ -88,6 +88,27 @@ TYPED_TEST(LightSampling, HasProbabilitiesThatSumToOne) {
   });
 }
 
+// More nodes than it remembers, in any order, and more than once.
+TYPED_TEST(LightSampling, RemembersTheSharesAtAPoint) {
+  check_property("SharesAtPoint has the same bits", [] {
+    const Draw<TypeParam> draw{*gen::scene(100)};
+    const ShadingPoint other(draw.point.position() + glm::vec3(1), -draw.point.normal(),
+                             draw.point.to_viewer(), draw.point.material());
+    SharesAtPoint<TypeParam> remembered;
+    for (const ShadingPoint& point : {draw.point, other}) {
+      remembered.forget();
+      for (int i = 0; i < 200; ++i) {
+        const auto node = *rc::gen::inRange<std::uint32_t>(0, draw.tree.nodes().size());
+        if (draw.tree.node(node).is_leaf()) continue;
+        const ChildShares a = remembered.shares(draw.tree, node, point);
+        const ChildShares b = TypeParam::shares(draw.tree, node, point);
+        RC_ASSERT(a.first == b.first);
+        RC_ASSERT(a.second == b.second);
+      }
+    }
+  });
+}
+
 TYPED_TEST(LightSampling, MayDrawEveryLightThatContributes) {
   check_property("a contribution above 0 has a probability above 0", [] {
     const Draw<TypeParam> draw{*gen::scene()};

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -19,6 +21,10 @@ namespace lightcuts {
 namespace {
 
 using ByIntensity = BasicStochasticCutSelector<IntensityImportance>;
+
+bool same_bits(const glm::vec3& a, const glm::vec3& b) {
+  return std::memcmp(&a, &b, sizeof(a)) == 0;
+}
 
 template <class Selector>
 class StochasticCut : public testing::Test {};
@@ -47,6 +53,34 @@ TYPED_TEST(StochasticCut, CertifiesItsErrorAndCountsItsRays) {
     }
     RC_ASSERT(total == cut.shadow_rays);
     RC_ASSERT(total <= cut.clusters.size());
+  });
+}
+
+TYPED_TEST(StochasticCut, GivesTheSameBitsAgainAsAnew) {
+  check_property("again() is a call with that query at the point of the last call", [] {
+    const CutCase given = *cut_case();
+    const LightTree tree = build(given.scene.light_set());
+    const ShadingPoint point = given.scene.view.point();
+    const ShadingPoint other(point.position() * 0.5F, -point.normal(), point.to_viewer(),
+                             point.material());
+    TypeParam once(tree, given.config), anew(tree, given.config);
+    for (const ShadingPoint& at : {other, point}) {
+      std::ignore = once(at, 99, given.visibility());
+      for (std::uint64_t query = 0; query < 5; ++query) {
+        const Cut a = once.again(at, query, given.visibility());
+        const Cut b = anew(at, query, given.visibility());
+        RC_ASSERT(same_bits(a.radiance, b.radiance));
+        RC_ASSERT(same_bits(a.certified_error, b.certified_error));
+        RC_ASSERT(a.shadow_rays == b.shadow_rays);
+        RC_ASSERT(a.end == b.end);
+        RC_ASSERT(a.clusters.size() == b.clusters.size());
+        for (std::size_t i = 0; i < a.clusters.size(); ++i) {
+          RC_ASSERT(a.clusters[i].node == b.clusters[i].node);
+          RC_ASSERT(a.clusters[i].visible == b.clusters[i].visible);
+          RC_ASSERT(a.clusters[i].estimate == b.clusters[i].estimate);
+        }
+      }
+    }
   });
 }
 

@@ -118,6 +118,130 @@ TEST(LightSet, KeepsTheDirectionTowardsADirectionalLight) {
   EXPECT_EQ(lights[0].intensity, glm::vec3(1, 2, 3));
 }
 
+// ---- lights as they are
+
+/// A valid light of the kind, of which every field counts that the kind has.
+Light valid_light(LightKind kind) {
+  return {.kind = kind,
+          .position = {0, 1, 0},
+          .intensity = {1, 2, 3},
+          .axis = {0, 0, 1},
+          .cos_inner = 0.5F,
+          .cos_outer = 0.25F};
+}
+
+/// What is refused of a light that is valid but for what `alter` does to it.
+template <class Alter>
+std::string refusal_of_altered(LightKind kind, Alter&& alter) {
+  Light light = valid_light(kind);
+  alter(light);
+  return refusal_of([&](LightSet& l) { l.add(light); });
+}
+
+class LightsAsTheyAre : public testing::TestWithParam<LightKind> {};
+INSTANTIATE_TEST_SUITE_P(EveryKind, LightsAsTheyAre,
+                         testing::Values(LightKind::omni, LightKind::oriented, LightKind::spot,
+                                         LightKind::directional),
+                         [](const auto& kind) { return std::string(name_of(kind.param)); });
+
+TEST_P(LightsAsTheyAre, AreTakenWhereAllFieldsAreInTheirDomains) {
+  EXPECT_EQ(refusal_of_altered(GetParam(), [](Light&) {}), "");
+  EXPECT_EQ(refusal_of_altered(GetParam(), [](Light& l) { l.intensity = glm::vec3(-0.0F); }), "");
+}
+
+TEST_P(LightsAsTheyAre, AreRefusedByTheNameOfTheFieldThatIsNotFinite) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float bad : {nan, -nan, inf, -inf}) {
+      EXPECT_THAT(refusal_of_altered(GetParam(), [&](Light& l) { l.position[axis] = bad; }),
+                  testing::StartsWith(std::string("light 1: position.") + "xyz"[axis] + " is "));
+      EXPECT_THAT(refusal_of_altered(GetParam(), [&](Light& l) { l.intensity[axis] = bad; }),
+                  testing::StartsWith(std::string("light 1: intensity.") + "rgb"[axis] + " is "));
+      const std::string axis_refusal =
+          refusal_of_altered(GetParam(), [&](Light& l) { l.axis[axis] = bad; });
+      if (has_axis(GetParam())) {
+        EXPECT_THAT(axis_refusal,
+                    testing::StartsWith(std::string("light 1: axis.") + "xyz"[axis] + " is "));
+      } else {
+        EXPECT_EQ(axis_refusal, "") << "of such lights nobody reads it";
+      }
+    }
+}
+
+TEST_P(LightsAsTheyAre, AreRefusedWhereIntensitiesAreNegative) {
+  EXPECT_EQ(refusal_of_altered(GetParam(), [](Light& l) { l.intensity.y = -0x1p-149F; }),
+            "light 1: intensity.g is -1e-45, negative");
+}
+
+TEST_P(LightsAsTheyAre, AreRefusedWhereDirectionsAreNotUnit) {
+  for (const glm::vec3& bad : {glm::vec3(0), glm::vec3(0, 0.999F, 0), glm::vec3(1e30F)}) {
+    const auto refused = [&](glm::vec3 Light::*field) {
+      return refusal_of_altered(GetParam(), [&](Light& l) { l.*field = bad; });
+    };
+    EXPECT_EQ(
+        testing::Value(refused(&Light::axis), testing::StartsWith("light 1: axis has length")),
+        has_axis(GetParam()));
+    EXPECT_EQ(testing::Value(refused(&Light::position),
+                             testing::StartsWith("light 1: position has length")),
+              is_at_infinity(GetParam()));
+  }
+}
+
+TEST(LightSet, RefusesRimsThatAreNone) {
+  const auto refused = [](float inner, float outer) {
+    return refusal_of_altered(LightKind::spot, [&](Light& l) {
+      l.cos_inner = inner;
+      l.cos_outer = outer;
+    });
+  };
+  for (const float bad : {nan, inf, -inf, 1.0001F, -1.0001F})
+    EXPECT_THAT(refused(bad, -1), testing::StartsWith("light 1: cos_inner is"));
+  for (const float bad : {nan, inf, -inf, 1.0001F, -1.001F})
+    EXPECT_THAT(refused(1, bad), testing::StartsWith("light 1: cos_outer is"));
+  for (const float bad : {0.5F, 0.6F, 0.5F - 0x1p-12F})
+    EXPECT_EQ(refused(0.5F, bad), "light 1: cos_inner is 0.5, expected cos_outer + 2^-11 or more");
+  EXPECT_EQ(refused(0.5F, 0.5F - 0x1p-11F), "");
+}
+
+TEST(LightSet, RefusesAKindThatThereIsNot) {
+  EXPECT_EQ(refusal_of_altered(LightKind(4), [](Light&) {}), "light 1: kind is 4, not one of 4");
+}
+
+TEST(LightSet, SaysWhyALightAsItIsIsRefused) {
+  const auto fault = [](const Light& light) {
+    try {
+      LightSet().add(light);
+    } catch (const InputError& e) {
+      return e.fault();
+    }
+    return InputFault::missing;
+  };
+  Light light = valid_light(LightKind::spot);
+  light.cos_outer = nan;
+  EXPECT_EQ(fault(light), InputFault::not_finite);
+  light.cos_outer = -2;
+  EXPECT_EQ(fault(light), InputFault::out_of_domain);
+  light.cos_outer = light.cos_inner;
+  EXPECT_EQ(fault(light), InputFault::out_of_domain);
+  light.axis = glm::vec3(0);
+  EXPECT_EQ(fault(light), InputFault::not_unit);
+  light.intensity.x = -1;
+  EXPECT_EQ(fault(light), InputFault::negative);
+}
+
+// Of a set that took them once: the narrow rim at the back reaches beyond -1.
+TEST(LightSet, TakesAllLightsOfAnotherSet) {
+  LightSet lights;
+  lights.add_spot({}, {0, 0, 1}, {1, 1, 1}, 3.1415925F, 3.1415927F);
+  lights.add_spot({}, {0, 0, 1}, {1, 1, 1}, 0, 1e-6F);
+  lights.add_directional({0, -1.000009F, 0}, {1, 2, 3});
+  lights.add_oriented({1, 2, 3}, {0.999991F, 0, 0}, {0, 0, 0});
+  LightSet again;
+  for (const Light& light : lights) again.add(light);
+  for (std::size_t i = 0; i < lights.size(); ++i) EXPECT_EQ(again[i], lights[i]);
+  EXPECT_EQ(again.kinds(), lights.kinds());
+  EXPECT_LT(again[0].cos_outer, -1);
+}
+
 TEST(LightSet, RefusesAClampThatIsNone) {
   for (const float bad : {0.0F, -1.0F, nan, inf})
     EXPECT_THAT(refusal_of([&](LightSet& l) { l.set_min_distance(bad); }),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -201,6 +202,71 @@ TEST(Shrunk, StillFailsAndNothingSimplerDoes) {
     EXPECT_THAT(small.on.triangles, IsEmpty());
     EXPECT_EQ(small.on.seed, 1U);
   }
+}
+
+/// Half the bound of the root, where there are so many lights or more.
+template <std::uint32_t least>
+class HalfBoundOfMany : public LibraryTree {
+public:
+  using LibraryTree::LibraryTree;
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<HalfBoundOfMany>(shared_tree());
+  }
+  glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) override {
+    const bool errs = node == 0 && tree().lights().size() >= least;
+    return LibraryTree::bound(node, point) * (errs ? 1e-3F : 1.0F);
+  }
+};
+
+/// On a ring around the point, each as good as any other.
+Counterexample on_a_ring(std::uint32_t count) {
+  Counterexample c{Property::bound_dominates_contribution, {}, "", 0};
+  c.on.views.resize(1);
+  for (std::uint32_t i = 0; i < count; ++i)
+    c.on.lights.push_back(
+        {.position = {std::cos(float(i)), std::sin(float(i)), 1}, .intensity = glm::vec3(1)});
+  return c;
+}
+
+TEST(Shrunk, SaysFromHowManyLightsOnItFails) {
+  const MadeSubject subject = subject_with<HalfBoundOfMany<130>>();
+  const Counterexample small = shrunk(subject, on_a_ring(300));
+  EXPECT_EQ(small.on.lights.size(), 130U);
+  EXPECT_EQ(small.least_lights, 130U);
+  // Small numbers speak for themselves.
+  EXPECT_EQ(shrunk(subject_with<HalfBoundOfMany<100>>(), on_a_ring(120)).least_lights, 0U);
+}
+
+TEST(Shrunk, SaysNothingOfSizesThatWereNotTried) {
+  const MadeSubject subject = subject_with<HalfBoundOfMany<130>>();
+  EXPECT_EQ(shrunk(subject, on_a_ring(130), 0).least_lights, 0U);
+  // So little time that 300 lights stay: with 299 it fails, too.
+  const Counterexample large = shrunk(subject, on_a_ring(300), 1e-9);
+  EXPECT_EQ(large.on.lights.size(), 300U);
+  EXPECT_EQ(large.least_lights, 0U);
+}
+
+/// Half the bound of the root, where there is a light of intensity 7.
+class HalfBoundOfSeven : public LibraryTree {
+public:
+  using LibraryTree::LibraryTree;
+  [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
+    return std::make_unique<HalfBoundOfSeven>(shared_tree());
+  }
+  glm::vec3 bound(std::uint32_t node, const ShadingPoint& point) override {
+    const LightSet& lights = tree().lights();
+    const bool errs = node == 0 && lights.size() >= 130 &&
+                      std::any_of(lights.begin(), lights.end(),
+                                  [](const Light& l) { return l.intensity.x == 7; });
+    return LibraryTree::bound(node, point) * (errs ? 1e-3F : 1.0F);
+  }
+};
+
+// Without the last, which is the bright one, it holds; without the first it does not.
+TEST(Shrunk, SaysNothingWhereItIsALightAndNotTheSize) {
+  Counterexample c = on_a_ring(140);
+  c.on.lights.back().intensity = glm::vec3(7);
+  EXPECT_EQ(shrunk(subject_with<HalfBoundOfSeven>(), c, 1e-9).least_lights, 0U);
 }
 
 TEST(Shrunk, IsWhatWasFoundWhereThereIsNoTime) {

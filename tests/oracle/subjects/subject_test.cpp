@@ -60,6 +60,7 @@ TEST(SubjectTree, ThrowsWhereItIsAskedForWhatItHasNot) {
   std::vector<glm::vec3> bounds(1);
   EXPECT_THROW((void)tree.bound(0, point), std::logic_error);
   EXPECT_THROW(tree.bounds(point, bounds), std::logic_error);
+  EXPECT_THROW(tree.block_bounds({&point, 1}, bounds), std::logic_error);
   EXPECT_THROW((void)tree.lower_bound(0, point), std::logic_error);
   EXPECT_THROW((void)tree.estimate(0, point, {}), std::logic_error);
   EXPECT_THROW((void)tree.select(point, {}, second_is_hidden), std::logic_error);
@@ -76,6 +77,47 @@ TEST(LibraryTree, HasTheBoundsOfItsKernel) {
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     EXPECT_EQ(all[i], 2.0F * contribution_bound(of, i, diffuse_point()));
     EXPECT_EQ(all[i], tree.bound(i, diffuse_point()));
+  }
+}
+
+TEST(LibraryTree, BoundsBlocksAsTheLibraryDoes) {
+  const LightTree of = four_lights();
+  LibraryTree tree(of);
+  const std::array points{diffuse_point(), diffuse_point({0.5F, 0, 0.25F})};
+  std::vector<glm::vec3> all(of.nodes().size());
+  tree.block_bounds(points, all);
+  for (std::uint32_t i = 0; i < all.size(); ++i)
+    EXPECT_EQ(all[i], contribution_bound(of, i, ShadingBlock(points)));
+}
+
+/// What is drawn, with copies of the clusters.
+struct DrawnCut {
+  Cut cut;
+  std::vector<CutCluster> clusters;
+  explicit DrawnCut(const Cut& of) : cut(of), clusters(of.clusters.begin(), of.clusters.end()) {}
+};
+
+// At another point than before, too.
+TEST(BatchedTree, DrawsManyAsOneByOne) {
+  BatchedTree<> tree(four_lights());
+  constexpr std::array<std::uint64_t, 4> queries{3, 1, 4, 1};
+  const CutConfig config{0.02F, 2};
+  for (const ShadingPoint& point : {diffuse_point(), diffuse_point({1, 1, 0.5F})}) {
+    std::vector<DrawnCut> many;
+    tree.draws(point, config, queries, second_is_hidden,
+               [&](const Cut& cut) { many.emplace_back(cut); });
+    ASSERT_EQ(many.size(), queries.size());
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const DrawnCut one(tree.draw(point, config, queries[i], second_is_hidden));
+      EXPECT_EQ(many[i].cut.radiance, one.cut.radiance);
+      EXPECT_EQ(many[i].cut.certified_error, one.cut.certified_error);
+      ASSERT_EQ(many[i].clusters.size(), one.clusters.size());
+      for (std::size_t k = 0; k < one.clusters.size(); ++k) {
+        EXPECT_EQ(many[i].clusters[k].node, one.clusters[k].node);
+        EXPECT_EQ(many[i].clusters[k].estimate, one.clusters[k].estimate);
+      }
+    }
+    EXPECT_FALSE(many[0].cut.radiance == many[1].cut.radiance);
   }
 }
 

@@ -85,6 +85,25 @@ out vec4 sum;
 const float inverse_pi = 0.318309886;
 const float tiny = 1e-37;
 
+// tan^2(n,h) as Sight::half_tangent2 has it: where l and v are all but opposite l + v has few of
+// their digits left, and n.l + n.v divides it. There, by the difference of their heights, which
+// divides out, and by det(n, l, v), in which only what they differ aside is left to be magnified.
+float half_tangent2(vec3 n, vec3 l, vec3 v, float light, float viewer) {
+  vec3 both = l + v;
+  float sum2 = dot(both, both);
+  float up = max(light + viewer, 1e-15);
+  if (sum2 >= 0.0625) {
+    vec3 along = both - dot(n, both) * n;
+    return min(dot(along, along) / (up * up), 1e30);
+  }
+  float light_sine = sqrt(max(1.0 - light * light, 0.0));
+  float viewer_sine = sqrt(max(1.0 - viewer * viewer, 0.0));
+  float in_plane = (light - viewer) / (light_sine + viewer_sine);
+  float aside = dot(n, cross(both, v)) / up;
+  float divisor = light_sine * viewer_sine + 1.0 - 0.5 * sum2 + light * viewer;
+  return min(in_plane * in_plane + 2.0 * aside * aside / divisor, 1e30);
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 seen = texelFetch(offsets, pixel, 0);
@@ -110,11 +129,7 @@ void main() {
     float sent = mix(t, t * t, intensity.w);
     float falloff = place.w > 0.0 ? 1.0 / max(distance2, min_distance2) : 1.0;
 
-    // T = tan^2(n,h) as Sight::half_tangent2 has it.
-    vec3 both = l + v;
-    vec3 along = both - dot(n, both) * n;
-    float up = max(cosine + viewer, 1e-15);
-    float tangent2 = min(dot(along, along) / (up * up), 1e30);
+    float tangent2 = half_tangent2(n, l, v, cosine, viewer);
     float ratio = (1.0 + tangent2) / max(a2 + tangent2, tiny);
     float masked = sqrt(a2 + (1.0 - a2) * cosine * cosine);
     float lobe =

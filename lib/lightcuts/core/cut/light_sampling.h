@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -56,6 +57,31 @@ struct IntensityImportance {
 struct HierarchicalImportance {
   [[nodiscard]] static ChildShares shares(const LightTree& tree, std::uint32_t node,
                                           const ShadingPoint& point);
+};
+
+/// The shares of an importance at one point, the same bits: those that were asked for last are not
+/// computed again. One per thread.
+template <class Importance>
+class SharesAtPoint {
+public:
+  /// The point and the tree are those of the first call since forget().
+  [[nodiscard]] ChildShares shares(const LightTree& tree, std::uint32_t node,
+                                   const ShadingPoint& point) const {
+    Slot& slot = slots_[node % slots_.size()];
+    if (!slot.known || slot.node != node)
+      slot = {Importance::shares(tree, node, point), node, true};
+    return slot.shares;
+  }
+  /// Before another point or tree.
+  void forget() { slots_.fill({}); }
+
+private:
+  struct Slot {
+    ChildShares shares;
+    std::uint32_t node = 0;
+    bool known = false;
+  };
+  mutable std::array<Slot, 64> slots_{};
 };
 
 /// A light drawn from a cluster; probability 0: none, as nothing that was come to can contribute.

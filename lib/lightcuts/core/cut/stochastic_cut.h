@@ -53,7 +53,15 @@ public:
   /// point give the same bits. visible(i) tells whether light i of the LightSet is seen from the
   /// point; called once per cluster at most, for lights that would contribute.
   Cut operator()(const ShadingPoint& point, std::uint64_t query, Visibility visible) {
-    Cut cut = select_(point, [](std::uint32_t /*light*/) { return true; });
+    chosen_ = select_(point, [](std::uint32_t /*light*/) { return true; });
+    shares_.forget();
+    return again(point, query, visible);
+  }
+
+  /// Another sample at the point of this selector's last call: the same bits as a call with this
+  /// query, but what does not depend on the query is not computed again.
+  Cut again(const ShadingPoint& point, std::uint64_t query, Visibility visible) {
+    Cut cut = chosen_;
     cut.shadow_rays = 0;
     clusters_.assign(cut.clusters.begin(), cut.clusters.end());
     for (CutCluster& cluster : clusters_)
@@ -79,7 +87,7 @@ private:
 
   void draw(CutCluster& cluster, const ShadingPoint& point, std::uint64_t query,
             const Visibility& visible, std::uint32_t& shadow_rays) const {
-    const LightSample sample = sample_light(Importance(), *tree_, cluster.node, point,
+    const LightSample sample = sample_light(shares_, *tree_, cluster.node, point,
                                             random_number(seed_, query, cluster.node));
     cluster.visible = true;
     cluster.estimate = glm::dvec3(0);
@@ -114,6 +122,8 @@ private:
   CutSelector select_;
   bool unoccluded_;
   std::uint64_t seed_;
+  Cut chosen_; ///< its clusters are select_'s
+  SharesAtPoint<Importance> shares_;
   std::vector<CutCluster> clusters_;
 };
 

@@ -47,7 +47,7 @@ struct Light {
                           ///< light: irradiance of a surface that faces it, W/m^2
   glm::vec3 axis{0};      ///< unit, where most of an oriented or spot light goes; else unused
   float cos_inner = 1;    ///< of a spot: full intensity within, at least cos_outer + 2^-11
-  float cos_outer = -1;   ///< of a spot: nothing beyond
+  float cos_outer = -1; ///< of a spot: nothing beyond; down to -1 - 2^-10, for a rim of some width
 
   template <class Visitor>
   static constexpr void fields(Visitor&& field) {
@@ -58,11 +58,12 @@ struct Light {
     field("intensity", &Light::intensity, domain::not_negative);
     field("axis", &Light::axis,
           [](const Light& light) { return has_axis(light.kind) ? domain::unit : domain::absent; });
-    const auto cosine = [](const Light& light) {
+    field("cos_inner", &Light::cos_inner, [](const Light& light) {
       return light.kind == LightKind::spot ? domain::within(-1, 1) : domain::absent;
-    };
-    field("cos_inner", &Light::cos_inner, cosine);
-    field("cos_outer", &Light::cos_outer, cosine);
+    });
+    field("cos_outer", &Light::cos_outer, [](const Light& light) {
+      return light.kind == LightKind::spot ? domain::within(-1 - 0x1p-10, 1) : domain::absent;
+    });
   }
   bool operator==(const Light&) const = default;
 };

@@ -14,10 +14,10 @@
 namespace lightcuts {
 namespace {
 
-/// Refuses what is wrong with one light.
+/// Refuses what is wrong with one light. Texts are made for those that are refused only.
 class Door {
 public:
-  explicit Door(std::size_t index) : light_("light " + std::to_string(index) + ": ") {}
+  explicit Door(std::size_t index) : index_(index) {}
 
   void require_finite(const char* field, const glm::vec3& v, const char* axes = "xyz") const {
     for (int i = 0; i < 3; ++i)
@@ -34,26 +34,71 @@ public:
     const double length = glm::length(glm::dvec3(v));
     if (!(std::abs(length - 1) <= 1e-5))
       throw InputError(InputFault::not_unit,
-                       light_ + field + " has length " + std::to_string(length) + ", not 1");
+                       light() + field + " has length " + std::to_string(length) + ", not 1");
   }
   void require(bool holds, const char* field, float value, const char* why) const {
     if (!holds) refuse(field, value, why);
   }
 
-private:
-  [[noreturn]] void refuse(const std::string& field, float value, const char* why) const {
-    throw InputError(fault_of(value), light_ + field + " is " + number_text(value) + ", " + why);
+  /// All fields that the light's kind has.
+  void require_valid(const Light& light) const {
+    require_known(light.kind);
+    for_each_field(light, [this](const char* field, const auto& value, const Domain& domain) {
+      require_in(domain, field, value);
+    });
+    if (light.kind == LightKind::spot && !(double(light.cos_inner) - light.cos_outer >= 0x1p-11))
+      refuse(InputFault::out_of_domain, "cos_inner", light.cos_inner,
+             "expected cos_outer + 2^-11 or more");
   }
-  std::string light_;
+
+private:
+  void require_known(LightKind kind) const {
+    if (unsigned(kind) >= unsigned(light_kind_count))
+      throw InputError(InputFault::out_of_domain,
+                       light() + "kind is " + std::to_string(unsigned(kind)) + ", not one of " +
+                           std::to_string(light_kind_count));
+  }
+  void require_in(const Domain& /*known*/, const char* /*field*/, LightKind /*kind*/) const {}
+  void require_in(const Domain& domain, const char* field, float value) const {
+    if (value >= domain.least && value <= domain.most) return; // NaN is not
+    refuse(std::isfinite(value) ? InputFault::out_of_domain : InputFault::not_finite, field, value,
+           "out of its domain");
+  }
+  void require_in(const Domain& domain, const char* field, const glm::vec3& v) const {
+    if (domain.unit) return require_unit(field, v);
+    if (domain.least == 0) return require_intensity(field, v);
+    require_finite(field, v);
+  }
+
+  [[noreturn]] void refuse(const std::string& field, float value, const char* why) const {
+    refuse(fault_of(value), field, value, why);
+  }
+  [[noreturn]] void refuse(InputFault fault, const std::string& field, float value,
+                           const char* why) const {
+    throw InputError(fault, light() + field + " is " + number_text(value) + ", " + why);
+  }
+  [[nodiscard]] std::string light() const { return "light " + std::to_string(index_) + ": "; }
+
+  std::size_t index_;
 };
 
 } // namespace
+
+void LightSet::keep(const Light& valid) {
+  lights_.push_back(valid);
+  kinds_ |= only(valid.kind);
+}
+
+void LightSet::add(const Light& light) {
+  Door(size()).require_valid(light);
+  keep(light);
+}
 
 void LightSet::add_omni(const glm::vec3& position, const glm::vec3& intensity) {
   const Door door(size());
   door.require_finite("position", position);
   door.require_intensity("intensity", intensity);
-  add({.kind = LightKind::omni, .position = position, .intensity = intensity});
+  keep({.kind = LightKind::omni, .position = position, .intensity = intensity});
 }
 
 void LightSet::add_oriented(const glm::vec3& position, const glm::vec3& normal,
@@ -62,7 +107,7 @@ void LightSet::add_oriented(const glm::vec3& position, const glm::vec3& normal,
   door.require_finite("position", position);
   door.require_unit("normal", normal);
   door.require_intensity("intensity", intensity);
-  add({.kind = LightKind::oriented, .position = position, .intensity = intensity, .axis = normal});
+  keep({.kind = LightKind::oriented, .position = position, .intensity = intensity, .axis = normal});
 }
 
 void LightSet::add_spot(const glm::vec3& position, const glm::vec3& axis,
@@ -79,19 +124,19 @@ void LightSet::add_spot(const glm::vec3& position, const glm::vec3& axis,
                "expected 0 or more and less than the outer angle");
   const auto cos_inner = static_cast<float>(std::cos(double(inner_angle)));
   const auto cos_outer = static_cast<float>(std::cos(double(outer_angle)));
-  add({.kind = LightKind::spot,
-       .position = position,
-       .intensity = intensity,
-       .axis = axis,
-       .cos_inner = cos_inner,
-       .cos_outer = std::min(cos_outer, cos_inner - 0x1p-10F)});
+  keep({.kind = LightKind::spot,
+        .position = position,
+        .intensity = intensity,
+        .axis = axis,
+        .cos_inner = cos_inner,
+        .cos_outer = std::min(cos_outer, cos_inner - 0x1p-10F)});
 }
 
 void LightSet::add_directional(const glm::vec3& travel, const glm::vec3& irradiance) {
   const Door door(size());
   door.require_unit("direction", travel);
   door.require_intensity("irradiance", irradiance);
-  add({.kind = LightKind::directional, .position = -travel, .intensity = irradiance});
+  keep({.kind = LightKind::directional, .position = -travel, .intensity = irradiance});
 }
 
 void LightSet::set_min_distance(float min_distance) {

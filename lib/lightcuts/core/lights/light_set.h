@@ -11,8 +11,8 @@ namespace lightcuts {
 
 /// The lights of a scene. A light's index is its place in the order of adding. All that add a light
 /// throw InputError, naming the light by its index and the field, where a component is NaN or
-/// infinite, an intensity is negative, a direction is not unit (within 1e-5), or an angle is out of
-/// its domain; the set is as before, then. A black light is allowed.
+/// infinite, an intensity is negative, a direction is not unit (within 1e-5), or an angle or a kind
+/// is out of its domain; the set is as before, then. A black light is allowed.
 class LightSet {
 public:
   /// intensity in W/sr.
@@ -31,11 +31,8 @@ public:
   /// travel: unit, the direction in which its light goes; irradiance of a surface facing it, W/m^2.
   void add_directional(const glm::vec3& travel, const glm::vec3& irradiance);
 
-  /// Adds a light of another set.
-  void add(const Light& valid) {
-    lights_.push_back(valid);
-    kinds_ |= only(valid.kind);
-  }
+  /// Adds a light as it is, such as one of another set. A spot's cosines are those of Light.
+  void add(const Light& light);
 
   /// Clamps distances: 1/max(d^2, min_distance^2) for 1/d^2, against the bright spots around VPLs.
   /// Metres, finite and > 0, else InputError. Not called: no clamp.
@@ -52,6 +49,8 @@ public:
   [[nodiscard]] auto end() const { return lights_.end(); }
 
 private:
+  void keep(const Light& valid);
+
   std::vector<Light> lights_;
   LightKinds kinds_ = 0;
   float min_distance_ = 0;

@@ -111,7 +111,11 @@ void ClusterIndex::search(std::uint32_t node, std::uint32_t self, Neighbour& bes
   }
   const double cost[2] = {least_cost(2 * node, slots_[self]),
                           least_cost(2 * node + 1, slots_[self])};
-  const std::uint32_t first = cost[1] < cost[0] ? 1 : 0;
+  // Of equals the one that may hold the lower id, which then rules the other one out.
+  const bool is_second_better = cost[0] == cost[1]
+                                    ? nodes_[2 * node + 1].min_id < nodes_[2 * node].min_id
+                                    : cost[1] < cost[0];
+  const std::uint32_t first = is_second_better ? 1 : 0;
   search_if_better(2 * node + first, cost[first], self, best);
   search_if_better(2 * node + 1 - first, cost[1 - first], self, best);
 }

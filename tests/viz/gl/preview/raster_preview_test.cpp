@@ -172,6 +172,28 @@ TEST_F(RasterPreviewTest, EqualsTheReferenceInAConvexRoom) {
   }
 }
 
+/// A polished floor, seen along itself by a camera as low as the lamp at its other end: one column
+/// of pixels, in whose plane both are.
+Scene low_lamp_scene(float height) {
+  Scene scene;
+  const std::uint32_t floor = test::add_surface(scene, glm::vec3(0));
+  scene.surfaces[floor].material.lobe = CookTorrance{glm::vec3(0.5F), 0.25F * height};
+  test::add_quad(scene, floor, {-2, 0, 3}, {2, 0, 3}, {2, 0, -3}, {-2, 0, -3});
+  scene.lights.add_omni({0, height, -4}, glm::vec3(1));
+  scene.camera = {{0, height, 4}, {0, 0, 0}, {0, 1, 0}, 2 * height * 57.3F};
+  scene.image_size = {1, 200};
+  validate(scene);
+  return scene;
+}
+
+// l + v is 2^-5 to 2^-10 here, and has lost that much of l and v.
+TEST_F(RasterPreviewTest, KnowsTheHalfVectorWhereLightAndViewerAreOpposite) {
+  for (const float height : {0x1p-4F, 0x1p-7F, 0x1p-9F}) {
+    const Scene scene = low_lamp_scene(height);
+    EXPECT_LT(difference(preview_of(scene), reference_of(scene)), rounding_error) << height;
+  }
+}
+
 TEST_F(RasterPreviewTest, EachPartOfTheMaterialCounts) {
   const Scene scene = corner_scene();
   const Radiance picture = preview_of(scene);

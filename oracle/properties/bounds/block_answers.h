@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include <oracle/properties/point_case.h>
+
+namespace lightcuts::oracle {
+
+/// One point of a block, and how the subject bounds all points of the block together.
+struct BlockAnswers {
+  const PointAnswers& point;
+  std::span<const glm::vec3> bounds; ///< per node: SubjectTree::block_bounds()
+};
+
+} // namespace lightcuts::oracle
