@@ -60,10 +60,10 @@ private:
   class Deadline;
 
   void start(const std::filesystem::path& plugin);
-  std::span<const std::byte> receive_answer(const Deadline& deadline, std::uint64_t most);
-  void send(std::span<const std::byte> bytes, const Deadline& deadline);
-  void receive(std::span<std::byte> bytes, const Deadline& deadline);
-  void wait_for(short event, const Deadline& deadline);
+  std::span<const std::byte> receive_answer(Deadline& deadline, std::uint64_t most);
+  void send(std::span<const std::byte> bytes, Deadline& deadline);
+  void receive(std::span<std::byte> bytes, Deadline& deadline);
+  void wait_for(short event, Deadline& deadline);
   void read_printed();
   [[noreturn]] void fail_by_death();
   [[noreturn]] void fail(const std::string& what);
