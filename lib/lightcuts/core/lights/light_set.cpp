@@ -84,7 +84,7 @@ void LightSet::add_spot(const glm::vec3& position, const glm::vec3& axis,
        .intensity = intensity,
        .axis = axis,
        .cos_inner = cos_inner,
-       .cos_outer = std::min(cos_outer, cos_inner - 0x1p-10F)});
+       .cos_outer = std::min(cos_outer, std::nextafter(cos_inner, -2.0F))});
 }
 
 void LightSet::add_directional(const glm::vec3& travel, const glm::vec3& irradiance) {
