@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/images/environment_map.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <system_error>
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
@@ -10,6 +13,7 @@
 
 #include <lightcuts/render/files/text.h>
 #include <lightcuts/render/images/image_file.h>
+#include <lightcuts/render/images/plausible_size.h>
 
 namespace lightcuts {
 namespace {
@@ -31,13 +35,36 @@ void check(const std::string& file, const OIIO::ImageSpec& spec) {
            "is cropped: an environment map has to cover all directions");
 }
 
+/// As Texture does; how many had to be changed.
+std::size_t clamp(std::vector<glm::vec3>& pixels) {
+  constexpr float largest_float = std::numeric_limits<float>::max();
+  std::size_t changed = 0;
+  for (glm::vec3& pixel : pixels) {
+    glm::vec3 kept(0);
+    for (int c = 0; c < 3; ++c)
+      if (pixel[c] > 0) kept[c] = std::min(pixel[c], largest_float);
+    if (pixel == kept) continue; // NaN differs
+    pixel = kept;
+    ++changed;
+  }
+  return changed;
+}
+
 } // namespace
 
 EnvironmentMap read_environment(const std::filesystem::path& file) {
+  std::error_code error; // a pipe may never end, nor a device
+  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
+    refuse(InputFault::unreadable_file, file.string(), "cannot open: not a file");
   const auto input = OIIO::ImageInput::open(file.string());
   if (!input) refuse(opening_fault(file), file.string(), OIIO::geterror());
   const OIIO::ImageSpec spec = input->spec();
   check(file.string(), spec);
+  try {
+    require_plausible_size(spec, std::filesystem::file_size(file, error), input->format_name());
+  } catch (const InputError& fault) {
+    refuse(fault.fault(), file.string(), fault.what());
+  }
   const auto stride = static_cast<std::size_t>(spec.nchannels);
   std::vector<float> values(spec.image_pixels() * stride);
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
@@ -49,6 +76,9 @@ EnvironmentMap read_environment(const std::filesystem::path& file) {
   map.radiance.resize(spec.image_pixels());
   for (std::size_t i = 0; i < map.radiance.size(); ++i)
     for (int c = 0; c < 3; ++c) map.radiance[i][c] = values[i * stride + (stride < 3 ? 0 : c)];
+  if (const std::size_t clamped = clamp(map.radiance); clamped > 0)
+    map.notes.push_back(
+        fmt::format("{}: {} negative or not finite: clamped", map.name, counted(clamped, "pixel")));
   if (!spec.format.is_floating_point())
     map.notes.push_back(fmt::format("{}: integer pixels taken as linear, 0 to 1", map.name));
   validate(map);

@@ -10,6 +10,7 @@
 #include <lightcuts/core/input_error.h>
 
 #include <lightcuts/render/files/text.h>
+#include <lightcuts/render/images/plausible_size.h>
 
 namespace lightcuts {
 namespace {
@@ -92,6 +93,7 @@ Texture decode_texture(std::string_view bytes, const std::string& name) {
   if (!input->open(name, spec, config))
     throw InputError(InputFault::malformed_file, why(input->geterror()));
   const glm::uvec2 size = size_of(spec);
+  require_plausible_size(spec, bytes.size(), input->format_name());
   if (spec.format.is_floating_point()) return read<float>(*input, OIIO::TypeDesc::FLOAT, size);
   if (spec.format.size() == 1) return read<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, size);
   return read<std::uint16_t>(*input, OIIO::TypeDesc::UINT16, size);
