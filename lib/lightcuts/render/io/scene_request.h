@@ -6,6 +6,7 @@
 #include <string>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <lightcuts/core/jobs/progress.h>
 #include <lightcuts/core/records/fields.h>
 #include <lightcuts/core/tree/tree_builder.h>
@@ -13,10 +14,29 @@
 
 namespace lightcuts {
 
+/// A view in place of the scene's own, which it shares the direction upwards with.
+struct CameraRequest {
+  glm::vec3 position{0, 0, 1};
+  glm::vec3 target{0, 0, 0};
+  std::optional<float> vertical_fov; ///< degrees, in (0, 180); nothing: the scene's own
+
+  bool operator==(const CameraRequest&) const = default;
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    constexpr Domain fov = {.least = 0, .most = 180, .optional = true};
+    field("position", &CameraRequest::position);
+    field("target", &CameraRequest::target);
+    field("vertical_fov", &CameraRequest::vertical_fov, fov);
+  }
+};
+
 /// A scene to open, with the lights to add to it and the tree to build.
 struct SceneRequest {
   std::string spec;                        ///< as open_scene() takes it
+  bool allow_outside = false;              ///< whether it may name files outside its folder
   std::optional<glm::uvec2> image_size;    ///< pixels; nothing: the scene's own
+  std::optional<CameraRequest> camera;     ///< nothing: the scene's own
   std::uint32_t lights = 0;                ///< random ones in place of its own; 0: its own
   std::uint32_t area_lights = 0;           ///< see add_area_lights(); default: none
   std::string environment;                 ///< see add_environment_lights(): a file; "": none
@@ -35,7 +55,9 @@ struct SceneRequest {
     constexpr Domain size = {.least = 1, .most = max_image_side, .optional = true};
     constexpr Domain distance = {.least = 1e-30, .most = 1e30, .optional = true};
     field("scene", &SceneRequest::spec);
+    field("allow_outside", &SceneRequest::allow_outside, domain::optional);
     field("image_size", &SceneRequest::image_size, size);
+    field("scene_camera", &SceneRequest::camera, domain::optional);
     field("lights", &SceneRequest::lights, domain::optional);
     field("area_lights", &SceneRequest::area_lights, domain::optional);
     field("environment", &SceneRequest::environment, domain::optional);
