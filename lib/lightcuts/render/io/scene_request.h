@@ -34,9 +34,7 @@ struct CameraRequest {
 /// A scene to open, with the lights to add to it and the tree to build.
 struct SceneRequest {
   std::string spec;                        ///< as open_scene() takes it
-  bool allow_outside = false;              ///< whether it may name files outside its folder
   std::optional<glm::uvec2> image_size;    ///< pixels; nothing: the scene's own
-  std::optional<CameraRequest> camera;     ///< nothing: the scene's own
   std::uint32_t lights = 0;                ///< random ones in place of its own; 0: its own
   std::uint32_t area_lights = 0;           ///< see add_area_lights(); default: none
   std::string environment;                 ///< see add_environment_lights(): a file; "": none
@@ -47,6 +45,8 @@ struct SceneRequest {
   std::uint64_t seed = 1;                  ///< of the lights that are made
   std::uint64_t tree_seed = 1;             ///< of the choice of representatives
   Builder builder = Builder::greedy;
+  bool allow_outside = false; ///< whether it may name files outside its folder; default: false
+  std::optional<CameraRequest> camera; ///< nothing: the scene's own
 
   bool operator==(const SceneRequest&) const = default;
 
@@ -55,9 +55,7 @@ struct SceneRequest {
     constexpr Domain size = {.least = 1, .most = max_image_side, .optional = true};
     constexpr Domain distance = {.least = 1e-30, .most = 1e30, .optional = true};
     field("scene", &SceneRequest::spec);
-    field("allow_outside", &SceneRequest::allow_outside, domain::optional);
     field("image_size", &SceneRequest::image_size, size);
-    field("scene_camera", &SceneRequest::camera, domain::optional);
     field("lights", &SceneRequest::lights, domain::optional);
     field("area_lights", &SceneRequest::area_lights, domain::optional);
     field("environment", &SceneRequest::environment, domain::optional);
@@ -68,6 +66,8 @@ struct SceneRequest {
     field("lights_seed", &SceneRequest::seed, domain::optional);
     field("tree_seed", &SceneRequest::tree_seed, domain::optional);
     field("builder", &SceneRequest::builder, domain::optional);
+    field("allow_outside", &SceneRequest::allow_outside, domain::optional);
+    field("scene_camera", &SceneRequest::camera, domain::optional);
   }
 };
 

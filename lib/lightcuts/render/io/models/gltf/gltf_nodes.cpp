@@ -77,7 +77,12 @@ public:
       for (const Json& node : gltf::list_in(scene, "nodes"))
         visit(gltf::whole(node, "nodes"), {}, 0, true);
     }
-    place_others();
+    // Without scenes nothing says what to leave out.
+    in_scene_ = scenes.empty();
+    if (in_scene_ && !nodes_.empty())
+      notes_.push_back(
+          fmt::format("{}: no scene in the file: all its nodes are shown", file_.path().string()));
+    visit_others();
     add_notes();
     return std::move(found_);
   }
@@ -105,8 +110,7 @@ private:
   }
 
   /// Joints of skins may lie outside the scene.
-  void place_others() {
-    in_scene_ = false;
+  void visit_others() {
     std::set<std::size_t> children;
     for (const Json& node : nodes_)
       for (const Json& child : gltf::list_in(node, "children"))
