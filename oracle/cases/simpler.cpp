@@ -12,7 +12,7 @@ void append_if_other(std::vector<float>& list, float value, float of) {
   if (value != of) list.push_back(value);
 }
 
-bool is_cone(const Light& light) { return double(light.cos_inner) - light.cos_outer >= 0x1p-11; }
+bool is_cone(const Light& light) { return light.cos_inner > light.cos_outer; }
 
 } // namespace
 

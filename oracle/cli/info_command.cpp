@@ -10,6 +10,7 @@
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
 #include <oracle/options/scene_options.h>
+#include <oracle/options/values.h>
 #include <oracle/report/measure.h>
 
 namespace lightcuts::cli {
@@ -59,6 +60,7 @@ std::string table_of(const Scene& scene, const Facts& facts) {
       "{} x {}\nbox          ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n",
       scene.name, scene.mesh.triangles.size(), scene.surfaces.size(), lights_by_kind(scene.lights),
       scene.image_size.x, scene.image_size.y, lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
+  text += fmt::format("camera       --camera {}\n", options::camera_text(scene.camera));
   if (facts.emissive > 0)
     text +=
         fmt::format("emission     {} triangles glow for the camera; they light nothing but through "
@@ -90,6 +92,7 @@ std::string json_of(const CommonOptions& options, const Scene& scene, const Fact
       {"box",
        {{facts.box.lo.x, facts.box.lo.y, facts.box.lo.z},
         {facts.box.hi.x, facts.box.hi.y, facts.box.hi.z}}},
+      {"camera", options::camera_text(scene.camera)},
       {"emissive_triangles", facts.emissive},
       {"black_level", facts.black_level},
       {"needed", facts.needed},

@@ -13,10 +13,10 @@ namespace {
 // What a case demands beyond the domains of its fields.
 
 void require_cone(const JsonElement& element, const Light& light) {
-  if (light.kind == LightKind::spot && !(double(light.cos_inner) - light.cos_outer >= 0x1p-11))
+  if (light.kind == LightKind::spot && !(light.cos_inner > light.cos_outer))
     element["cos_inner"].refuse(
         InputFault::inconsistent,
-        fmt::format("is {}, expected at least cos_outer + 2^-11", light.cos_inner));
+        fmt::format("is {}, expected more than cos_outer", light.cos_inner));
 }
 
 void require_indices(const JsonElement& element, std::size_t lights) {

@@ -65,6 +65,14 @@ void add_scene_options(CLI::App& command, SceneRequest& request, const std::stri
                   "light the scene with so many random lights in its upper half instead of its "
                   "own; default: the scene's")
       ->check(check_positive);
+  command
+      .add_option_function<std::string>(
+          "--camera", [&request](const std::string& text) { request.camera = parse_camera(text); },
+          "X,Y,Z,TX,TY,TZ[,FOV]: look from the first point to the second, with that vertical field "
+          "of view in degrees; default: the scene's camera, as 'lightcuts-oracle info' prints it")
+      ->check(check_camera);
+  command.add_flag("--allow-outside", request.allow_outside,
+                   "let the scene's files name files outside its folder; default: they may not");
   add_light_options(command, request);
 }
 

@@ -13,7 +13,8 @@ class App;
 
 namespace lightcuts::options {
 
-/// Adds SCENE, `size_option` ("--size") of the image, and what makes lights: --lights,
+/// Adds SCENE, `size_option` ("--size") of the image, --camera, --allow-outside, and what makes
+/// lights: --lights,
 /// --area-lights, --environment, --environment-lights, --vpls, --surfels and --min-distance. What
 /// is not given stays as the request has it; it must outlive the command.
 void add_scene_options(CLI::App& command, SceneRequest& request, const std::string& size_option);

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -30,6 +31,39 @@ std::optional<glm::uvec2> parse_size(const std::string& text) {
 std::string check_size(const std::string& text) {
   if (parse_size(text)) return {};
   return fmt::format("'{}' is not WIDTHxHEIGHT, each from 1 to {} pixels", text, max_image_side);
+}
+
+std::optional<CameraRequest> parse_camera(const std::string& text) {
+  std::vector<float> values;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    float value = 0;
+    const auto [rest, error] = std::from_chars(at, end, value);
+    if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
+    values.push_back(value);
+    if (rest == end) break;
+    if (*rest != ',') return std::nullopt;
+    at = rest + 1;
+  }
+  if (values.size() != 6 && values.size() != 7) return std::nullopt;
+  CameraRequest camera{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}, {}};
+  if (values.size() == 7) camera.vertical_fov = values[6];
+  if (camera.position == camera.target) return std::nullopt;
+  if (values.size() == 7 && !(values[6] > 0 && values[6] < 180)) return std::nullopt;
+  return camera;
+}
+
+std::string check_camera(const std::string& text) {
+  if (parse_camera(text)) return {};
+  return fmt::format("'{}' is not X,Y,Z,TX,TY,TZ[,FOV]: two points that differ, and degrees above "
+                     "0 and below 180",
+                     text);
+}
+
+std::string camera_text(const Camera& camera) {
+  const glm::vec3 &p = camera.position, &t = camera.target;
+  return fmt::format("{},{},{},{},{},{},{}", p.x, p.y, p.z, t.x, t.y, t.z, camera.vertical_fov);
 }
 
 std::optional<float> parse_threshold(const std::string& text) {

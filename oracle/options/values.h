@@ -5,6 +5,7 @@
 #include <string>
 
 #include <glm/vec2.hpp>
+#include <lightcuts/render/io/scene_request.h>
 
 /// Readers of what is typed as the value of an option. Each has a check for CLI11: what is wrong
 /// with the text, or nothing.
@@ -16,6 +17,13 @@ namespace lightcuts::options {
 /// "WIDTHxHEIGHT" of an image or window: each from 1 to max_image_side.
 [[nodiscard]] std::optional<glm::uvec2> parse_size(const std::string& text);
 [[nodiscard]] std::string check_size(const std::string& text);
+
+/// "X,Y,Z,TX,TY,TZ" or that and ",FOV": where a camera is, what it looks at, and its vertical field
+/// of view, degrees, above 0 and below 180. All finite, the two points not the same.
+[[nodiscard]] std::optional<CameraRequest> parse_camera(const std::string& text);
+[[nodiscard]] std::string check_camera(const std::string& text);
+/// What parse_camera() reads as that.
+[[nodiscard]] std::string camera_text(const Camera& camera);
 
 /// "2%" or "0.02" as 0.02; nothing for any other text, such as "auto", or below 0.
 [[nodiscard]] std::optional<float> parse_threshold(const std::string& text);

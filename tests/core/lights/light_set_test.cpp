@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/core/lights/light_set.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,6 +17,8 @@
 
 namespace lightcuts {
 namespace {
+
+using std::numbers::pi;
 
 /// The message with which the third light is refused; empty if it is taken.
 std::string refusal(const glm::vec3& position, const glm::vec3& intensity) {
@@ -104,11 +109,29 @@ TEST(LightSet, RefusesConesThatAreNone) {
   EXPECT_EQ(refused(0, 3.1415927F), "");
 }
 
-TEST(LightSet, WidensANarrowRimOutwards) {
+TEST(LightSet, WidensARimOutwardsThatFloatsCannotTell) {
   LightSet lights;
-  lights.add_spot({}, {0, 0, 1}, {1, 1, 1}, 0.5F, 0.500001F);
-  EXPECT_FLOAT_EQ(lights[0].cos_inner, std::cos(0.5F));
-  EXPECT_FLOAT_EQ(lights[0].cos_outer, std::cos(0.5F) - 0x1p-10F);
+  lights.add_spot({}, {0, 0, 1}, {1, 1, 1}, 0.5F, std::nextafter(0.5F, 1.0F));
+  EXPECT_EQ(lights[0].cos_inner, float(std::cos(0.5)));
+  EXPECT_EQ(lights[0].cos_outer, std::nextafter(lights[0].cos_inner, 0.0F));
+  lights.add_spot({}, {0, 0, 1}, {1, 1, 1}, 0, 1e-6F);
+  EXPECT_EQ(lights[1].cos_inner, 1);
+  EXPECT_EQ(lights[1].cos_outer, 1 - 0x1p-24F);
+}
+
+// A cosine near 1 is known to half a step of 2^-24: a cone of 0.5 degrees to 0.04 % of the angle.
+TEST(LightSet, KeepsNarrowCones) {
+  for (const auto& [inner, outer] : {std::pair{0.0, 0.5}, {1.0, 2.0}, {0.4, 0.5}, {29.99, 30.0}}) {
+    LightSet lights;
+    lights.add_spot({}, {0, 0, 1}, {1, 1, 1}, float(inner * pi / 180), float(outer * pi / 180));
+    const auto expect_angle = [](float cosine, double degrees) {
+      const double angle = degrees * pi / 180;
+      const double error = 0x1p-25 / std::max(std::sin(angle), 0x1p-12) + 0x1p-24;
+      EXPECT_NEAR(std::acos(double(cosine)), angle, 1.01 * error) << degrees;
+    };
+    expect_angle(lights[0].cos_inner, inner);
+    expect_angle(lights[0].cos_outer, outer);
+  }
 }
 
 TEST(LightSet, KeepsTheDirectionTowardsADirectionalLight) {

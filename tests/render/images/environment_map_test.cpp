@@ -6,6 +6,8 @@
 #include <limits>
 
 #include <OpenImageIO/imageio.h>
+#include <sys/stat.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lightcuts/render/images/film.h>
@@ -74,18 +76,29 @@ TEST_F(EnvironmentMapFile, of_integers_is_taken_as_linear_and_noted) {
               testing::ElementsAre(HasSubstr("sky.png: integer pixels taken as linear")));
 }
 
-TEST_F(EnvironmentMapFile, is_refused_where_a_pixel_is_no_radiance) {
-  const auto refuses = [&](float value, const std::string& why) {
+// As a texture's are.
+TEST_F(EnvironmentMapFile, has_pixels_that_are_no_radiance_clamped_and_says_so) {
+  const auto clamped = [&](float value) {
     Film film({3, 2});
     for (const char* name : {"R", "G", "B"}) std::fill_n(film.channel(name).begin(), 6, 1.0F);
     film.channel("G")[4] = value;
     write_exr(film, folder_.path / "bad.exr");
-    expect_refusal("bad.exr: pixel (1, 1): g is " + why,
-                   [&] { (void)read_environment(folder_.path / "bad.exr"); });
+    const EnvironmentMap map = read_environment(folder_.path / "bad.exr");
+    EXPECT_THAT(map.notes, testing::ElementsAre(
+                               HasSubstr("bad.exr: 1 pixel negative or not finite: clamped")));
+    EXPECT_EQ(map.radiance[3], glm::vec3(1));
+    return map.radiance[4];
   };
-  refuses(std::numeric_limits<float>::quiet_NaN(), "nan, not a finite number");
-  refuses(std::numeric_limits<float>::infinity(), "inf, not a finite number");
-  refuses(-0.25F, "-0.25, negative");
+  EXPECT_EQ(clamped(std::numeric_limits<float>::quiet_NaN()), glm::vec3(1, 0, 1));
+  EXPECT_EQ(clamped(-0.25F), glm::vec3(1, 0, 1));
+  EXPECT_EQ(clamped(std::numeric_limits<float>::infinity()),
+            glm::vec3(1, std::numeric_limits<float>::max(), 1));
+}
+
+TEST_F(EnvironmentMapFile, is_refused_where_it_is_a_pipe) {
+  ASSERT_EQ(::mkfifo((folder_.path / "pipe.exr").c_str(), 0600), 0);
+  expect_refusal("pipe.exr: cannot open: not a file",
+                 [&] { (void)read_environment(folder_.path / "pipe.exr"); });
 }
 
 TEST_F(EnvironmentMapFile, is_refused_where_it_is_cropped) {

@@ -133,5 +133,22 @@ TEST(DecodeTexture, RefusesAJpegWhoseLastRowsAreMissing) {
                    [&] { (void)decode_texture(std::string_view(bytes).substr(0, kept), "a.jpg"); });
 }
 
+// A header that says 16384 x 16384 made 3 GB be asked for. In DWAB, whose 256 lines per chunk need
+// few of the bytes that say where chunks are.
+TEST(TextureDecoding, refuses_a_size_that_the_bytes_cannot_hold) {
+  std::string bytes = test::image_bytes<float>("exr", 2, 3, std::vector<float>(12, 1.0F));
+  for (const std::string window : {"dataWindow", "displayWindow"}) {
+    const std::size_t at = bytes.find(window) + window.size() + 1 + 6 + 4; // name, "box2i", size
+    for (const std::size_t corner : {8, 12}) {
+      bytes[at + corner] = '\xff';
+      bytes[at + corner + 1] = '\x3f';
+    }
+  }
+  const std::string compression = std::string("compression") + '\0' + "compression" + '\0';
+  bytes[bytes.find(compression) + compression.size() + 4] = 9;
+  bytes.resize(1584, '\0');
+  expect_refusal("truncated: 16384 x 16384 pixels in 1584 bytes", [&] { (void)decode_texture(bytes, "a.exr"); });
+}
+
 } // namespace
 } // namespace lightcuts

@@ -141,8 +141,26 @@ Scene textured_scene() {
   scene.mesh.uv = {{0, 0}, {1, 0}, {-7, 1e30F}};
   scene.textures.emplace_back(glm::uvec2(1), std::vector<glm::vec3>{{1, 1, 1}});
   scene.surfaces[0].material.lobe = CookTorrance{{0.5F, 0.25F, 0}, 0.5F};
-  scene.surfaces[0].texture = {0, {}, {0.5F, 0, 0}};
+  scene.surfaces[0].tinted_f0 = {0.5F, 0, 0};
+  scene.surfaces[0].texture = SurfaceTexture{};
+  scene.mesh.emission_uv = scene.mesh.uv;
+  scene.mesh.colours.assign(3, glm::vec3(0.5F));
+  scene.surfaces[0].emission_texture = SurfaceTexture{};
   return scene;
+}
+
+TEST(Validate, refuses_broken_colours_and_coordinates_of_emission) {
+  const auto refuses = [](const std::string& part, auto&& change) {
+    Scene scene = textured_scene();
+    change(scene);
+    expect_refusal("test: " + part, [&] { validate(scene); });
+  };
+  refuses("2 colours for 3 positions", [](Scene& s) { s.mesh.colours.resize(2); });
+  refuses("colour 1.g is -1", [](Scene& s) { s.mesh.colours[1].g = -1; });
+  refuses("colour 2.b is nan", [](Scene& s) { s.mesh.colours[2].b = std::nanf(""); });
+  refuses("1 texture coordinates for 3", [](Scene& s) { s.mesh.emission_uv.resize(1); });
+  refuses("texture coordinate 0 is not finite",
+          [](Scene& s) { s.mesh.emission_uv[0].x = std::nanf(""); });
 }
 
 TEST(Validate, refuses_broken_textures) {
@@ -154,11 +172,13 @@ TEST(Validate, refuses_broken_textures) {
   };
   refuses("texture 1 of 1", [](Scene& s) { s.surfaces[0].texture->index = 1; });
   refuses("a texture, but the mesh has no texture coordinates", [](Scene& s) { s.mesh.uv = {}; });
+  refuses("texture 7 of 1", [](Scene& s) { s.surfaces[0].emission_texture->index = 7; });
+  refuses("a texture, but the mesh has no texture coordinates",
+          [](Scene& s) { s.mesh.emission_uv = {}; });
   refuses("tinted_f0.g is 0.5, expected 0 to 0.25",
-          [](Scene& s) { s.surfaces[0].texture->tinted_f0.g = 0.5F; });
-  refuses("tinted_f0.r is -1", [](Scene& s) { s.surfaces[0].texture->tinted_f0.r = -1; });
-  refuses("tinted_f0.b is nan",
-          [](Scene& s) { s.surfaces[0].texture->tinted_f0.b = std::nanf(""); });
+          [](Scene& s) { s.surfaces[0].tinted_f0.g = 0.5F; });
+  refuses("tinted_f0.r is -1", [](Scene& s) { s.surfaces[0].tinted_f0.r = -1; });
+  refuses("tinted_f0.b is nan", [](Scene& s) { s.surfaces[0].tinted_f0.b = std::nanf(""); });
 }
 
 } // namespace

@@ -57,7 +57,7 @@ inline Scene textured_square() {
   add_quad(scene, surface, {-0.5F, 0, 0.5F}, {0.5F, 0, 0.5F}, {0.5F, 0, -0.5F}, {-0.5F, 0, -0.5F});
   scene.mesh.uv = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   scene.textures.emplace_back(glm::uvec2(2, 1), std::vector{glm::vec3(0), glm::vec3(1)});
-  scene.surfaces[surface].texture = BaseTexture{0, {Wrap::clamp, Wrap::clamp}, {}};
+  scene.surfaces[surface].texture = SurfaceTexture{0, {Wrap::clamp, Wrap::clamp}};
   return scene;
 }
 

@@ -135,7 +135,7 @@ Scene floor_with_a_ramp() {
   for (const glm::vec3& p : scene.mesh.positions)
     scene.mesh.uv.emplace_back((p.x + 1) / 2, (1 - p.z) / 2);
   scene.textures.emplace_back(glm::uvec2(2, 1), std::vector<glm::vec3>{glm::vec3(0), {1, 2, 0.5F}});
-  scene.surfaces[0].texture = BaseTexture{0, {Wrap::clamp, Wrap::repeat}, {}};
+  scene.surfaces[0].texture = SurfaceTexture{0, {Wrap::clamp, Wrap::repeat}};
   return scene;
 }
 

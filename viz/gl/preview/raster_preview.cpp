@@ -79,7 +79,7 @@ void RasterPreview::use_surface(std::uint32_t index) const {
   surface_program_.set("f0", material.f0);
   surface_program_.set("emission", surface.emission);
   surface_program_.set("textured", surface.texture ? 1.0F : 0.0F);
-  surface_program_.set("tinted_f0", surface.texture ? surface.texture->tinted_f0 : glm::vec3(0));
+  surface_program_.set("tinted_f0", surface.tinted_f0);
   if (surface.texture)
     textures_.bind(*surface.texture, 0);
   else

@@ -60,7 +60,7 @@ SceneTextures::SceneTextures(const std::vector<Texture>& textures) {
   for (const Texture& texture : textures) textures_.push_back(uploaded(texture));
 }
 
-void SceneTextures::bind(const BaseTexture& texture, GLuint unit) const {
+void SceneTextures::bind(const SurfaceTexture& texture, GLuint unit) const {
   const Texture2D& shown = textures_[texture.index];
   shown.set_wrap(gl_wrap(texture.wrap.u), gl_wrap(texture.wrap.v));
   shown.bind(unit);

@@ -20,7 +20,7 @@ public:
 
   /// Binds the surface's texture to a unit, bilinear and wrapped as lightcuts::Texture::at does;
   /// v upwards. The surface has a texture.
-  void bind(const BaseTexture& texture, GLuint unit) const;
+  void bind(const SurfaceTexture& texture, GLuint unit) const;
 
 private:
   std::vector<Texture2D> textures_;

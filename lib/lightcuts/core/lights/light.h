@@ -46,8 +46,8 @@ struct Light {
   glm::vec3 intensity{0}; ///< radiant intensity along the axis, W/sr, each >= 0; of a directional
                           ///< light: irradiance of a surface that faces it, W/m^2
   glm::vec3 axis{0};      ///< unit, where most of an oriented or spot light goes; else unused
-  float cos_inner = 1;    ///< of a spot: full intensity within, at least cos_outer + 2^-11
-  float cos_outer = -1; ///< of a spot: nothing beyond; down to -1 - 2^-10, for a rim of some width
+  float cos_inner = 1;    ///< of a spot: full intensity within, more than cos_outer
+  float cos_outer = -1;   ///< of a spot: nothing beyond; a little below -1 for a rim of some width
 
   template <class Visitor>
   static constexpr void fields(Visitor&& field) {

@@ -46,9 +46,9 @@ public:
     for_each_field(light, [this](const char* field, const auto& value, const Domain& domain) {
       require_in(domain, field, value);
     });
-    if (light.kind == LightKind::spot && !(double(light.cos_inner) - light.cos_outer >= 0x1p-11))
+    if (light.kind == LightKind::spot && light.cos_inner <= light.cos_outer)
       refuse(InputFault::out_of_domain, "cos_inner", light.cos_inner,
-             "expected cos_outer + 2^-11 or more");
+             "expected more than cos_outer");
   }
 
 private:
@@ -129,7 +129,7 @@ void LightSet::add_spot(const glm::vec3& position, const glm::vec3& axis,
         .intensity = intensity,
         .axis = axis,
         .cos_inner = cos_inner,
-        .cos_outer = std::min(cos_outer, cos_inner - 0x1p-10F)});
+        .cos_outer = std::min(cos_outer, std::nextafter(cos_inner, -2.0F))});
 }
 
 void LightSet::add_directional(const glm::vec3& travel, const glm::vec3& irradiance) {

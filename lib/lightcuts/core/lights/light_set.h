@@ -23,8 +23,9 @@ public:
   void add_oriented(const glm::vec3& position, const glm::vec3& normal, const glm::vec3& intensity);
 
   /// Angles between the axis and the cone's rims, radians, 0 <= inner < outer <= pi: full intensity
-  /// within the inner one, none beyond the outer one. A rim narrower than 2^-10 in cosine is
-  /// widened to that, outwards.
+  /// within the inner one, none beyond the outer one. Their cosines are rounded to floats; a rim
+  /// that is lost in that becomes one of one float's step outwards: no cone is narrower than 0.02
+  /// degrees.
   void add_spot(const glm::vec3& position, const glm::vec3& axis, const glm::vec3& intensity,
                 float inner_angle, float outer_angle);
 

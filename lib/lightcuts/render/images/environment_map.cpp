@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/images/environment_map.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
@@ -10,6 +13,7 @@
 #include <lightcuts/render/files/text.h>
 #include <lightcuts/render/images/image_codec.h>
 #include <lightcuts/render/images/image_file.h>
+#include <lightcuts/render/images/plausible_size.h>
 
 namespace lightcuts {
 namespace {
@@ -30,13 +34,36 @@ void check(const std::string& file, const ImageInfo& info) {
            "is cropped: an environment map has to cover all directions");
 }
 
+/// As Texture does; how many had to be changed.
+std::size_t clamp(std::vector<glm::vec3>& pixels) {
+  constexpr float largest_float = std::numeric_limits<float>::max();
+  std::size_t changed = 0;
+  for (glm::vec3& pixel : pixels) {
+    glm::vec3 kept(0);
+    for (int c = 0; c < 3; ++c)
+      if (pixel[c] > 0) kept[c] = std::min(pixel[c], largest_float);
+    if (pixel == kept) continue; // NaN differs
+    pixel = kept;
+    ++changed;
+  }
+  return changed;
+}
+
 } // namespace
 
 EnvironmentMap read_environment(const std::filesystem::path& file) {
+  std::error_code error; // a pipe may never end, nor a device
+  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
+    refuse(InputFault::unreadable_file, file.string(), "cannot open: not a file");
   const OpenedImage opened = image_codec().open(file.string());
   if (!opened.reader) refuse(opening_fault(file), file.string(), opened.failure.why);
   const ImageInfo& info = opened.reader->info();
   check(file.string(), info);
+  try {
+    require_plausible_size(info, std::filesystem::file_size(file, error));
+  } catch (const InputError& fault) {
+    refuse(fault.fault(), file.string(), fault.what());
+  }
   const std::size_t stride = info.channels.size();
   std::vector<float> values(info.pixel_count() * stride);
   if (const auto failure =
@@ -49,6 +76,9 @@ EnvironmentMap read_environment(const std::filesystem::path& file) {
   map.radiance.resize(info.pixel_count());
   for (std::size_t i = 0; i < map.radiance.size(); ++i)
     for (int c = 0; c < 3; ++c) map.radiance[i][c] = values[i * stride + (stride < 3 ? 0 : c)];
+  if (const std::size_t clamped = clamp(map.radiance); clamped > 0)
+    map.notes.push_back(
+        fmt::format("{}: {} negative or not finite: clamped", map.name, counted(clamped, "pixel")));
   if (info.type != SampleType::float32)
     map.notes.push_back(fmt::format("{}: integer pixels taken as linear, 0 to 1", map.name));
   validate(map);

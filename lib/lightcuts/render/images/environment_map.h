@@ -25,9 +25,9 @@ struct EnvironmentMap {
 
 /// Reads an image of any format that OpenImageIO knows, EXR and HDR above all; the values are taken
 /// as linear (noted where they are stored as integers). Its first three channels count, R, G and B
-/// where they have names; where it has fewer, the first for all. Throws InputError, naming the
-/// file, where it cannot be read, exceeds max_image_side, is cropped, or is not a valid map (see
-/// validate()).
+/// where they have names; where it has fewer, the first for all. A component that is negative or
+/// not a number becomes 0, one that is infinite the largest float, which is noted. Throws
+/// InputError, naming the file, where it cannot be read, exceeds max_image_side, or is cropped.
 [[nodiscard]] EnvironmentMap read_environment(const std::filesystem::path& file);
 
 /// Throws InputError, naming file and pixel, where the map has no pixels, not size.x * size.y of

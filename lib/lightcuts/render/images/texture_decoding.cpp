@@ -9,6 +9,7 @@
 
 #include <lightcuts/render/files/text.h>
 #include <lightcuts/render/images/image_codec.h>
+#include <lightcuts/render/images/plausible_size.h>
 
 namespace lightcuts {
 namespace {
@@ -82,6 +83,8 @@ Texture decode_texture(std::string_view bytes, const std::string& name) {
     throw InputError(InputFault::malformed_file, "truncated: no end of image");
   const OpenedImage opened = image_codec().open_bytes(bytes, extension, name);
   if (!opened.reader) throw InputError(opened.failure.fault, why(opened.failure.why));
+  size_of(opened.reader->info());
+  require_plausible_size(opened.reader->info(), bytes.size());
   switch (const SampleType type = opened.reader->info().type; type) {
   case SampleType::uint8:
     return read<std::uint8_t>(*opened.reader, type);

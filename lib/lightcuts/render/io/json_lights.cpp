@@ -15,6 +15,12 @@ namespace lightcuts {
 namespace {
 
 void add_single(const JsonElement& light, LightSet& lights) {
+  for (const char* generator : {"area", "cloud", "environment", "vpl", "surfels"})
+    if (light.has("type") && light["type"].is_string() && light["type"].string() == generator)
+      light["type"].refuse(InputFault::unknown_name,
+                           fmt::format("is '{0}', which is no light by itself: write \"generate\": "
+                                       "\"{0}\" in place of \"type\"",
+                                       generator));
   const auto kind =
       light.has("type") ? LightKind(light["type"].one_of(names_of(LightKind()))) : LightKind::omni;
   with_kind_in_scenes(kind, [&](auto described) { described.read(light, lights); });
@@ -54,11 +60,13 @@ void add_area(const JsonElement& element, Scene& scene) {
 }
 
 void add_environment(const JsonElement& element, const std::filesystem::path& folder,
-                     Scene& scene) {
+                     const FileAccess& access, Scene& scene) {
   element.expect_keys({"generate", "file", "count"});
   EnvironmentLights config;
   if (element.has("count")) config.count = count_of(element, "count", EnvironmentLights::max_count);
-  add_environment_lights(scene, read_environment(folder / element["file"].string()), config);
+  const std::filesystem::path file = folder / element["file"].path();
+  access.require(file, element["file"].label());
+  add_environment_lights(scene, read_environment(file), config);
 }
 
 void add_vpls(const JsonElement& element, Scene& scene) {
@@ -77,14 +85,15 @@ void add_surfel_lights(const JsonElement& element, Scene& scene) {
               {.count = count_of(element, "count", Surfels::max_count), .seed = seed_of(element)});
 }
 
-void add_generated(const JsonElement& element, const std::filesystem::path& folder, Scene& scene) {
+void add_generated(const JsonElement& element, const std::filesystem::path& folder,
+                   const FileAccess& access, Scene& scene) {
   const std::string kind = element["generate"].string();
   if (kind == "cloud") {
     element.expect_keys({"generate", "count", "seed", "box", "intensity"});
     return add_cloud(element, scene);
   }
   if (kind == "area") return add_area(element, scene);
-  if (kind == "environment") return add_environment(element, folder, scene);
+  if (kind == "environment") return add_environment(element, folder, access, scene);
   if (kind == "vpl") return add_vpls(element, scene);
   if (kind == "surfels") return add_surfel_lights(element, scene);
   element["generate"].refuse(
@@ -106,7 +115,8 @@ void naming(const JsonElement& element, const Action& action) {
 
 } // namespace
 
-void add_lights(const JsonElement& lights, const std::filesystem::path& folder, Scene& scene) {
+void add_lights(const JsonElement& lights, const std::filesystem::path& folder,
+                const FileAccess& access, Scene& scene) {
   if (!lights.is_list()) {
     lights.expect_keys({"count", "seed", "box", "intensity"});
     return naming(lights, [&] { add_cloud(lights, scene); });
@@ -114,7 +124,7 @@ void add_lights(const JsonElement& lights, const std::filesystem::path& folder, 
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const JsonElement light = lights.at(i);
     naming(light, [&] {
-      if (light.has("generate")) return add_generated(light, folder, scene);
+      if (light.has("generate")) return add_generated(light, folder, access, scene);
       add_single(light, scene.lights);
     });
   }

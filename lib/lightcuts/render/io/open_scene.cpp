@@ -51,29 +51,47 @@ void validate(const TriangleMesh& mesh, std::size_t surfaces) {
 }
 
 void validate_uv(const TriangleMesh& mesh) {
-  if (!mesh.uv.empty() && mesh.uv.size() != mesh.positions.size())
-    throw InputError(InputFault::inconsistent,
-                     fmt::format("{} texture coordinates for {} positions", mesh.uv.size(),
-                                 mesh.positions.size()));
-  for (std::size_t i = 0; i < mesh.uv.size(); ++i)
-    if (!std::isfinite(mesh.uv[i].x) || !std::isfinite(mesh.uv[i].y))
-      throw InputError(InputFault::not_finite,
-                       fmt::format("texture coordinate {} is not finite", i));
+  for (const auto* uv : {&mesh.uv, &mesh.emission_uv}) {
+    if (!uv->empty() && uv->size() != mesh.positions.size())
+      throw InputError(InputFault::inconsistent,
+                       fmt::format("{} texture coordinates for {} positions", uv->size(),
+                                   mesh.positions.size()));
+    for (std::size_t i = 0; i < uv->size(); ++i)
+      if (!std::isfinite((*uv)[i].x) || !std::isfinite((*uv)[i].y))
+        throw InputError(InputFault::not_finite,
+                         fmt::format("texture coordinate {} is not finite", i));
+  }
+}
+
+void validate_colours(const TriangleMesh& mesh) {
+  if (!mesh.colours.empty() && mesh.colours.size() != mesh.positions.size())
+    throw InputError(
+        InputFault::inconsistent,
+        fmt::format("{} colours for {} positions", mesh.colours.size(), mesh.positions.size()));
+  for (std::size_t i = 0; i < mesh.colours.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (!(mesh.colours[i][c] >= 0 && std::isfinite(mesh.colours[i][c])))
+        throw InputError(
+            fault_of(mesh.colours[i][c]),
+            fmt::format("colour {}.{} is {}, out of its domain", i, "rgb"[c], mesh.colours[i][c]));
 }
 
 void validate_texture(const Surface& surface, const Scene& scene) {
-  if (!surface.texture) return;
   const auto refuse = [&](InputFault fault, const std::string& why) {
     throw InputError(fault, fmt::format("surface '{}': {}", surface.name, why));
   };
-  if (surface.texture->index >= scene.textures.size())
-    refuse(InputFault::inconsistent,
-           fmt::format("texture {} of {}", surface.texture->index, scene.textures.size()));
-  if (scene.mesh.uv.empty())
-    refuse(InputFault::missing, "a texture, but the mesh has no texture coordinates");
+  const auto check = [&](const std::optional<SurfaceTexture>& texture, bool has_uv) {
+    if (!texture) return;
+    if (texture->index >= scene.textures.size())
+      refuse(InputFault::inconsistent,
+             fmt::format("texture {} of {}", texture->index, scene.textures.size()));
+    if (!has_uv) refuse(InputFault::missing, "a texture, but the mesh has no texture coordinates");
+  };
+  check(surface.texture, !scene.mesh.uv.empty());
+  check(surface.emission_texture, !scene.mesh.emission_uv.empty());
   const auto* metal = std::get_if<CookTorrance>(&surface.material.lobe);
   for (int c = 0; c < 3; ++c) {
-    const float part = surface.texture->tinted_f0[c], all = metal ? metal->f0[c] : 0;
+    const float part = surface.tinted_f0[c], all = metal ? metal->f0[c] : 0;
     if (!(part >= 0 && part <= all))
       refuse(fault_of(part),
              fmt::format("tinted_f0.{} is {}, expected 0 to {}", "rgb"[c], part, all));
@@ -96,6 +114,7 @@ void validate(const Surface& surface) {
 void check(const Scene& scene) {
   validate(scene.mesh, scene.surfaces.size());
   validate_uv(scene.mesh);
+  validate_colours(scene.mesh);
   for (const Surface& surface : scene.surfaces) {
     validate(surface);
     validate_texture(surface, scene);
@@ -109,12 +128,13 @@ void check(const Scene& scene) {
                                    scene.image_size[side], max_image_side));
 }
 
-Scene read(const std::string& spec) {
+Scene read(const std::string& spec, bool allow_outside) {
   if (is_builtin(spec)) return make_builtin(spec);
   const std::filesystem::path file(spec);
   const std::string extension = lower_extension(file);
-  if (extension == scene_json_extension) return load_scene_json(file);
-  if (is_scene_file(file)) return import_model(file);
+  if (extension == scene_json_extension)
+    return load_scene_json(file, FileAccess(file, allow_outside));
+  if (is_scene_file(file)) return import_model(file, FileAccess(file, allow_outside));
   if (spec.find_first_of("./") == std::string::npos)
     return make_builtin(spec); // says what is known
   throw InputError(InputFault::unsupported,
@@ -132,8 +152,8 @@ void validate(const Scene& scene) {
   }
 }
 
-Scene open_scene(const std::string& spec) {
-  Scene scene = read(spec);
+Scene open_scene(const std::string& spec, bool allow_outside) {
+  Scene scene = read(spec, allow_outside);
   validate(scene);
   return scene;
 }

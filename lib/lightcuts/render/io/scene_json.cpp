@@ -14,11 +14,13 @@
 namespace lightcuts {
 namespace {
 
-void load_geometry(const JsonElement& element, const std::filesystem::path& folder, Scene& scene,
-                   bool& has_camera) {
+void load_geometry(const JsonElement& element, const std::filesystem::path& folder,
+                   const FileAccess& access, Scene& scene, bool& has_camera) {
   const auto append = [&](const JsonElement& name) {
     const Camera before = scene.camera;
-    const bool found = append_model(folder / name.string(), scene);
+    const std::filesystem::path file = folder / name.path();
+    access.require(file, name.label());
+    const bool found = append_model(file, access, scene);
     if (has_camera) scene.camera = before; // the first one stays
     has_camera = has_camera || found;
   };
@@ -54,9 +56,9 @@ void set_min_distance(const JsonElement& element, LightSet& lights) {
 
 } // namespace
 
-Scene load_scene_json(const std::filesystem::path& file) {
+Scene load_scene_json(const std::filesystem::path& file, const FileAccess& access) {
   const std::string name = file.string();
-  const nlohmann::json json = parse_json(name, read_file(file));
+  const nlohmann::json json = parse_json(name, read_text(file));
   const JsonElement root(name, json);
   root.expect_keys({"geometry", "camera", "image", "lights", "min_distance"});
   Scene scene;
@@ -64,14 +66,14 @@ Scene load_scene_json(const std::filesystem::path& file) {
   bool has_camera = root.has("camera");
   if (has_camera) scene.camera = camera_of(root["camera"]);
   if (root.has("image")) scene.image_size = image_size_of(root["image"]);
-  load_geometry(root["geometry"], file.parent_path(), scene, has_camera);
+  load_geometry(root["geometry"], file.parent_path(), access, scene, has_camera);
   if (!has_camera) {
     scene.camera = framing(scene.mesh);
     scene.notes.push_back(fmt::format("{}: no camera: framed", name));
   }
   if (root.has("lights")) scene.lights = LightSet();
   if (root.has("min_distance")) set_min_distance(root["min_distance"], scene.lights);
-  if (root.has("lights")) add_lights(root["lights"], file.parent_path(), scene);
+  if (root.has("lights")) add_lights(root["lights"], file.parent_path(), access, scene);
   return scene;
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include <lightcuts/render/files/file_access.h>
 #include <lightcuts/render/scene/scene.h>
 
 namespace lightcuts {
@@ -46,8 +47,13 @@ namespace lightcuts {
 /// An object as for a cloud, but without "generate", in place of the list is that cloud. At the top
 /// level `"min_distance": 0.1`, metres, > 0, clamps distances (LightSet::set_min_distance).
 ///
+/// Only files that `access` allows are read, by default those in the folder of the JSON and below.
+///
 /// Throws InputError that names file and element, as `scene.json: /lights/3/intensity/0 is
 /// negative`; malformed JSON with line and column.
-[[nodiscard]] Scene load_scene_json(const std::filesystem::path& file);
+[[nodiscard]] Scene load_scene_json(const std::filesystem::path& file, const FileAccess& access);
+[[nodiscard]] inline Scene load_scene_json(const std::filesystem::path& file) {
+  return load_scene_json(file, FileAccess(file));
+}
 
 } // namespace lightcuts

@@ -8,6 +8,7 @@
 #include <lightcuts/render/lighting/light_generator.h>
 #include <lightcuts/render/lighting/surfels.h>
 #include <lightcuts/render/lighting/virtual_point_lights.h>
+#include <lightcuts/render/scene/camera_fault.h>
 
 namespace lightcuts {
 namespace {
@@ -18,6 +19,19 @@ void replace_lights(const SceneRequest& request, Scene& scene) {
   scene.lights = LightSet();
   if (min_distance > 0) scene.lights.set_min_distance(min_distance);
   generate(default_cloud(scene.mesh, request.lights, request.seed), scene.lights);
+}
+
+void set_camera(const CameraRequest& request, Camera& camera) {
+  camera.position = request.position;
+  camera.target = request.target;
+  if (request.vertical_fov) camera.vertical_fov = *request.vertical_fov;
+  // Straight down, say, another direction has to be up.
+  for (const glm::vec3& up : {camera.up, glm::vec3(0, 1, 0), glm::vec3(0, 0, -1)}) {
+    camera.up = up;
+    const auto fault = camera_fault(camera);
+    if (!fault) return;
+    if (!fault->what.starts_with("up")) throw InputError(fault->cause, "camera: " + fault->what);
+  }
 }
 
 void make_lights(const SceneRequest& request, unsigned threads, Scene& scene) {
@@ -37,10 +51,11 @@ void make_lights(const SceneRequest& request, unsigned threads, Scene& scene) {
 } // namespace
 
 Scene open_scene(const SceneRequest& request, unsigned threads, const Progress& progress) {
-  Scene scene = open_scene(request.spec);
+  Scene scene = open_scene(request.spec, request.allow_outside);
   progress.leave_if_cancelled();
   if (request.image_size) scene.image_size = *request.image_size;
   try {
+    if (request.camera) set_camera(*request.camera, scene.camera);
     make_lights(request, threads, scene);
   } catch (const InputError& error) {
     throw InputError(error.fault(), fmt::format("{}: {}", request.spec, error.what()));

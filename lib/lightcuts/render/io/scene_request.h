@@ -6,12 +6,30 @@
 #include <string>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <lightcuts/core/jobs/progress.h>
 #include <lightcuts/core/records/fields.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <lightcuts/render/io/open_scene.h>
 
 namespace lightcuts {
+
+/// A view in place of the scene's own, which it shares the direction upwards with.
+struct CameraRequest {
+  glm::vec3 position{0, 0, 1};
+  glm::vec3 target{0, 0, 0};
+  std::optional<float> vertical_fov; ///< degrees, in (0, 180); nothing: the scene's own
+
+  bool operator==(const CameraRequest&) const = default;
+
+  template <class Visitor>
+  static constexpr void fields(Visitor&& field) {
+    constexpr Domain fov = {.least = 0, .most = 180, .optional = true};
+    field("position", &CameraRequest::position);
+    field("target", &CameraRequest::target);
+    field("vertical_fov", &CameraRequest::vertical_fov, fov);
+  }
+};
 
 /// A scene to open, with the lights to add to it and the tree to build.
 struct SceneRequest {
@@ -27,6 +45,8 @@ struct SceneRequest {
   std::uint64_t seed = 1;                  ///< of the lights that are made
   std::uint64_t tree_seed = 1;             ///< of the choice of representatives
   Builder builder = Builder::greedy;
+  bool allow_outside = false; ///< whether it may name files outside its folder; default: false
+  std::optional<CameraRequest> camera; ///< nothing: the scene's own
 
   bool operator==(const SceneRequest&) const = default;
 
@@ -46,6 +66,8 @@ struct SceneRequest {
     field("lights_seed", &SceneRequest::seed, domain::optional);
     field("tree_seed", &SceneRequest::tree_seed, domain::optional);
     field("builder", &SceneRequest::builder, domain::optional);
+    field("allow_outside", &SceneRequest::allow_outside, domain::optional);
+    field("scene_camera", &SceneRequest::camera, domain::optional);
   }
 };
 

@@ -23,8 +23,12 @@ struct AreaLights {
 /// so that shadow rays meet it beyond shadow_ray_gap. Triangles emit one-sidedly, towards where
 /// their corners run counter-clockwise, although the camera sees both sides emit.
 ///
-/// Of the n lights of a triangle of area A and radiance L each has the intensity L A / n along the
-/// normal, W/sr: together the triangle's power pi L A, but for the rounding of each to float.
+/// Where a texture multiplies the emission, each light stands for a part of the triangle of equal
+/// power, and has exactly that part's intensity: see TexturedEmitter.
+///
+/// Of the n lights of any other triangle of area A and radiance L each has the intensity L A / n
+/// along the normal, W/sr: together the triangle's power pi L A, but for the rounding of each to
+/// float.
 ///
 /// The scene must be valid (see validate()). Throws InputError where the count leaves its domain,
 /// no triangle with an area emits, or an intensity exceeds the largest float; no light is added,

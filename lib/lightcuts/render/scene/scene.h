@@ -17,12 +17,10 @@ namespace lightcuts {
 /// Largest width and height of an image, pixels.
 inline constexpr std::uint32_t max_image_side = 16384;
 
-/// The texture that multiplies a surface's base colour: its diffuse reflectance and, of a metal's
-/// f0, what comes of the base colour too.
-struct BaseTexture {
+/// A texture on a surface.
+struct SurfaceTexture {
   std::uint32_t index = 0; ///< into Scene::textures
   TextureWrap wrap;
-  glm::vec3 tinted_f0{0}; ///< that part of CookTorrance::f0, 0 to all of it; 0 for other lobes
 };
 
 /// What a triangle is made of.
@@ -31,7 +29,11 @@ struct Surface {
   Material material;
   glm::vec3 emission{0}; ///< radiance seen by the camera, W/(m^2 sr); it lights nothing by itself:
                          ///< see area_lights.h
-  std::optional<BaseTexture> texture = {}; ///< without it, the material is the same everywhere
+  std::optional<SurfaceTexture> texture = {}; ///< multiplies the base colour: the diffuse
+                                              ///< reflectance and tinted_f0; nothing: 1
+  glm::vec3 tinted_f0{0}; ///< the part of CookTorrance::f0, 0 to all of it, that comes of the base
+                          ///< colour; 0 for other lobes
+  std::optional<SurfaceTexture> emission_texture = {}; ///< multiplies emission; nothing: 1
 };
 
 /// All triangles of a scene in world space, metres.
@@ -39,7 +41,10 @@ struct TriangleMesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;     ///< per position, unit; (0,0,0) means: use the face's normal
   std::vector<glm::vec2> uv;          ///< per position, as Texture::at takes them; or empty
-  std::vector<glm::uvec3> triangles;  ///< indices into positions
+  std::vector<glm::vec2> emission_uv; ///< per position, of Surface::emission_texture; or empty
+  std::vector<glm::vec3> colours;    ///< per position, each finite and >= 0, linear; multiplies the
+                                     ///< base colour as Surface::texture does; or empty: 1
+  std::vector<glm::uvec3> triangles; ///< indices into positions
   std::vector<std::uint32_t> surface; ///< per triangle, index into Scene::surfaces
 };
 

@@ -26,10 +26,9 @@ std::optional<VisiblePoint> SceneView::at(glm::uvec2 pixel) const {
   const auto hit = occluder_->intersect(camera_.origin(), direction);
   if (!hit) return std::nullopt;
   const SurfacePoint s = surface_point(scene_->mesh, *hit, direction);
-  const Surface& surface = scene_->surfaces[scene_->mesh.surface[hit->triangle]];
   return VisiblePoint{
       ShadingPoint(s.position, s.shading_normal, -direction, material_at(*scene_, *hit)),
-      s.ray_origin, surface.emission};
+      s.ray_origin, emission_at(*scene_, *hit)};
 }
 
 } // namespace lightcuts

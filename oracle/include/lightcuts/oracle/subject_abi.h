@@ -70,7 +70,7 @@ typedef struct lightcuts_light {
   float position[3];  ///< metres; of a directional light: the unit direction towards it
   float intensity[3]; ///< W/sr, each >= 0; of a directional light: irradiance, W/m^2
   float axis[3];      ///< unit, of oriented and spot lights; the length is to be divided out
-  float cos_inner;    ///< of a spot: full intensity within, at least cos_outer + 2^-11
+  float cos_inner;    ///< of a spot: full intensity within, more than cos_outer
   float cos_outer;    ///< of a spot: nothing beyond
 } lightcuts_light;
 

@@ -193,13 +193,20 @@ TEST_F(ImportedTexture, is_scaled_and_shifted_as_the_material_says) {
   transform = {{"offset", {0, 0.125}}, {"scale", {1, 0.5}}}; // v: 1/4 and 1/2
   const glm::vec3 left = (all[0] + all[2]) / 2.0F, right = (all[1] + all[3]) / 2.0F;
   expect_diffuse(import("t.gltf", gltf.dump()), {all[0], all[1], left, right});
-  transform = {{"rotation", 0.5}};
-  const Scene turned = import("t.gltf", gltf.dump());
-  EXPECT_EQ(notes_with(turned, "t.gltf: texture 'four.png' is used without its transform"), 1U);
-  expect_diffuse(turned, all);
 }
 
-TEST_F(ImportedTexture, of_a_specular_glossiness_material_is_left_out_and_this_is_said) {
+// The extension's own example: the image's lower left quarter, turned clockwise by 90 degrees.
+TEST_F(ImportedTexture, is_turned_as_the_material_says) {
+  json gltf = test::textured_square({{"uri", "four.png"}});
+  json& transform = gltf["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]
+                        ["KHR_texture_transform"];
+  const std::array<glm::vec3, 4> all = four(gltf_diffuse);
+  // (u, v) becomes (v, 1 - u): what is seen at the top left has been at the bottom left.
+  transform = {{"offset", {0, 1}}, {"rotation", 1.57079632679}};
+  expect_diffuse(import("t.gltf", gltf.dump()), {all[2], all[0], all[3], all[1]});
+}
+
+TEST_F(ImportedTexture, of_a_specular_glossiness_material_multiplies_its_diffuse_part) {
   json gltf = test::textured_square({{"uri", "four.png"}});
   gltf["materials"][0].erase("pbrMetallicRoughness");
   gltf["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"]["diffuseTexture"] = {
@@ -207,9 +214,17 @@ TEST_F(ImportedTexture, of_a_specular_glossiness_material_is_left_out_and_this_i
   gltf["extensionsUsed"] = {"KHR_materials_pbrSpecularGlossiness"};
   json& parts = gltf["meshes"][0]["primitives"];
   parts.push_back(parts[0]);
+  gltf["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"].update(
+      {{"diffuseFactor", {0.5, 0.5, 1, 1}},
+       {"specularFactor", {0.25, 0.5, 0.1}},
+       {"glossinessFactor", 0.5}});
   const Scene scene = import("s.gltf", gltf.dump());
-  EXPECT_EQ(notes_with(scene, "texture 'four.png' of a specular-glossiness material left out"), 1U);
-  EXPECT_TRUE(scene.textures.empty());
+  EXPECT_EQ(notes_with(scene, "left out"), 0U);
+  expect_diffuse(scene, four({0.25F, 0.25F, 0.5F}));
+  for (const Material& material : quarters(scene)) {
+    expect_near(std::get<CookTorrance>(material.lobe).f0, {0.25F, 0.5F, 0.1F});
+    EXPECT_EQ(std::get<CookTorrance>(material.lobe).alpha, 0.25F);
+  }
 }
 
 TEST_F(ImportedTexture, is_loaded_once_for_all_materials) {
@@ -220,12 +235,6 @@ TEST_F(ImportedTexture, is_loaded_once_for_all_materials) {
   EXPECT_EQ(scene.surfaces.size(), 2U);
   EXPECT_EQ(scene.textures.size(), 1U);
   for (const Surface& surface : scene.surfaces) EXPECT_EQ(surface.texture.value().index, 0U);
-}
-
-TEST_F(ImportedTexture, whose_name_is_that_of_one_in_the_file_is_not_taken_for_it) {
-  const Scene scene = import_square_obj("Kd 1 1 1\nmap_Kd *7\n");
-  EXPECT_EQ(notes_with(scene, "embedded texture 7 cannot be read: not in the file"), 1U);
-  EXPECT_TRUE(scene.textures.empty());
 }
 
 TEST_F(ImportedTexture, that_is_missing_is_noted_once_and_the_factor_used) {

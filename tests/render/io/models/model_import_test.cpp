@@ -131,7 +131,7 @@ TEST_F(ModelImport, refuses_an_obj_that_is_cut_off_within_a_line) {
   refuses_obj(triangle_obj + "f 1 2 3\nf", "broken.obj:5: a face with 0 corners");
   refuses_obj(triangle_obj + "vt 0 0\nf 1/1 2/1 3", "broken.obj:5: corner '3' lacks what");
   refuses_obj(triangle_obj + "f 1/", "broken.obj:4: a face with 1 corners");
-  refuses_obj(triangle_obj + "f 1/1 2/1 3/", "broken.obj:4: corner '3/' lacks what");
+  refuses_obj(triangle_obj + "vt 0 0\nf 1/1 2/1 3/", "broken.obj:5: corner '3/' lacks what");
   refuses_obj(triangle_obj + "f 1 2 3\nv 1.0", "broken.obj:5: 'v' with 1 values, expected 3");
   refuses_obj(triangle_obj + "f 1 2 3\nv 1.0 2.0 -", "broken.obj:5: '-' is not a number");
   refuses_obj(triangle_obj + "f 1 2 3\nvn 1.0 0", "broken.obj:5: 'vn' with 2 values");
@@ -343,17 +343,11 @@ TEST_F(ModelImport, refuses_bad_values_in_a_gltf) {
   refuses_change("v.gltf: light 0: intensity.r is -8", [](auto& g) {
     g["extensions"]["KHR_lights_punctual"]["lights"][0]["intensity"] = -8;
   });
-  refuses_change("v.gltf: light 3: inner angle is 0.5, expected", [](auto& g) {
-    g["extensions"]["KHR_lights_punctual"]["lights"][2]["spot"]["innerConeAngle"] = 0.5;
-  });
   refuses_change("v.gltf: light 3: outer angle is 4, expected", [](auto& g) {
     g["extensions"]["KHR_lights_punctual"]["lights"][2]["spot"]["outerConeAngle"] = 4;
   });
   refuses_change("v.gltf: light 2: irradiance.r is -1, negative", [](auto& g) {
     g["extensions"]["KHR_lights_punctual"]["lights"][1]["intensity"] = -1;
-  });
-  refuses_change("v.gltf: light 2: direction.x is", [](auto& g) {
-    g["nodes"][5]["scale"] = {0, 0, 0};
   });
   refuses_change("v.gltf: not glTF 2.0", [](auto& g) {
     g["extensions"]["KHR_lights_punctual"]["lights"][2].erase("spot");

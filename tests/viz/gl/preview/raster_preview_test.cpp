@@ -86,8 +86,8 @@ void add_metal_floor(Scene& scene) {
   const std::uint32_t floor = test::add_surface(scene, {0.2F, 0.3F, 0.1F});
   scene.surfaces[floor].material.lobe = CookTorrance{{0.6F, 0.5F, 0.4F}, 0.3F};
   scene.textures.push_back(speckled({5, 3}));
-  scene.surfaces[floor].texture =
-      BaseTexture{0, {Wrap::mirror, Wrap::repeat}, {0.5F, 0.5F, 0.125F}};
+  scene.surfaces[floor].texture = SurfaceTexture{0, {Wrap::mirror, Wrap::repeat}};
+  scene.surfaces[floor].tinted_f0 = {0.5F, 0.5F, 0.125F};
   test::add_quad(scene, floor, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2});
   scene.mesh.uv.resize(scene.mesh.positions.size());
   scene.mesh.uv = {{-1.3F, 0.4F}, {1.9F, 0.4F}, {1.9F, 2.7F}, {-1.3F, 2.7F}};
@@ -206,7 +206,7 @@ TEST_F(RasterPreviewTest, EachPartOfTheMaterialCounts) {
   };
   EXPECT_EQ(changed([](Scene&) {}), 0);
   EXPECT_GT(changed([](Scene& s) { s.surfaces[0].texture.reset(); }), 1e-2);
-  EXPECT_GT(changed([](Scene& s) { s.surfaces[0].texture->tinted_f0 = {}; }), 1e-3);
+  EXPECT_GT(changed([](Scene& s) { s.surfaces[0].tinted_f0 = {}; }), 1e-3);
   EXPECT_GT(changed([](Scene& s) { s.surfaces[0].texture->wrap.u = Wrap::clamp; }), 1e-2);
   EXPECT_GT(changed([](Scene& s) { s.surfaces[1].material.lobe = NoLobe{}; }), 1e-3);
   EXPECT_GT(changed([](Scene& s) { s.surfaces[2].emission = {}; }), 1e-2);

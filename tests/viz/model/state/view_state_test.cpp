@@ -29,8 +29,20 @@ ViewState plain() {
 /// With numbers that the tests below look for.
 ViewState chosen() {
   ViewState s;
-  s.open = {"models/a \"room\".obj", glm::uvec2(123, 45),     4321, 5, "sky.exr", 7, 8, 9, 0.1F, 3,
-            0xffff'ffff'ffff'ffffU,  Builder::locally_ordered};
+  s.open = {"models/a \"room\".obj",
+            glm::uvec2(123, 45),
+            4321,
+            5,
+            "sky.exr",
+            7,
+            8,
+            9,
+            0.1F,
+            3,
+            0xffff'ffff'ffff'ffffU,
+            Builder::locally_ordered,
+            true,
+            CameraRequest{{1, 2, 3}, {4, 5, 6}, 7.5F}};
   s.display = methods::stochastic;
   s.compared = DisplayMethod::raster();
   s.layer = layers::slack;
@@ -63,7 +75,7 @@ TEST(ViewState, ComesBackFromJson) {
 template <class R>
 class EveryRecordOfAView : public testing::Test {};
 using Records = testing::Types<ViewState, SceneRequest, ShadingSettings, ClusterRules,
-                               ColourSettings, ImageView, Camera>;
+                               ColourSettings, ImageView, Camera, CameraRequest>;
 TYPED_TEST_SUITE(EveryRecordOfAView, Records);
 
 TYPED_TEST(EveryRecordOfAView, ListsAllItsMembers) {

@@ -42,7 +42,8 @@ SampleType sample_type_of(const OIIO::TypeDesc& type) {
   return type.size() == 1 ? SampleType::uint8 : SampleType::uint16;
 }
 
-ImageInfo info_of(const OIIO::ImageSpec& spec) {
+ImageInfo info_of(const OIIO::ImageInput& input) {
+  const OIIO::ImageSpec& spec = input.spec();
   ImageInfo info{.width = spec.width,
                  .height = spec.height,
                  .depth = spec.depth,
@@ -50,7 +51,9 @@ ImageInfo info_of(const OIIO::ImageSpec& spec) {
                             spec.width != spec.full_width || spec.height != spec.full_height,
                  .type = sample_type_of(spec.format),
                  .channels = spec.channelnames,
-                 .attributes = {}};
+                 .attributes = {},
+                 .format = input.format_name(),
+                 .stored_bytes = spec.image_bytes(true)};
   info.channels.resize(spec.nchannels);
   for (const auto& attribute : spec.extra_attribs)
     if (attribute.type() == OIIO::TypeDesc::STRING)
@@ -69,12 +72,12 @@ OIIO::ImageSpec spec_of(const ImageInfo& info) {
 class Reader final : public ImageReader {
 public:
   explicit Reader(std::unique_ptr<OIIO::ImageInput> input)
-      : input_(std::move(input)), info_(info_of(input_->spec())) {}
+      : input_(std::move(input)), info_(info_of(*input_)) {}
 
   /// Of a file in memory.
   Reader(std::unique_ptr<OIIO::Filesystem::IOMemReader> memory,
          std::unique_ptr<OIIO::ImageInput> input)
-      : memory_(std::move(memory)), input_(std::move(input)), info_(info_of(input_->spec())) {}
+      : memory_(std::move(memory)), input_(std::move(input)), info_(info_of(*input_)) {}
 
   [[nodiscard]] const ImageInfo& info() const noexcept override { return info_; }
 

@@ -47,6 +47,13 @@ std::string JsonElement::string() const {
   return json_->get<std::string>();
 }
 
+std::string JsonElement::path() const {
+  std::string text = string();
+  if (text.empty() || text.find('\0') != std::string::npos)
+    refuse(InputFault::malformed_file, "is not the name of a file");
+  return text;
+}
+
 std::size_t JsonElement::one_of(std::span<const char* const> names) const {
   const std::string text = string();
   const auto found = std::find(names.begin(), names.end(), text);

@@ -42,6 +42,10 @@ public:
   [[nodiscard]] JsonElement at(std::size_t i) const;
 
   [[nodiscard]] std::string string() const;
+  /// The name of a file: a string without zeros, not empty.
+  [[nodiscard]] std::string path() const;
+  /// "scene.json: /geometry 'NAME'", of a string: how messages name a file that it names.
+  [[nodiscard]] std::string label() const { return file_ + ": " + path_ + " '" + string() + "'"; }
   [[nodiscard]] bool boolean() const;
   /// A number within float's range that is at least `least`.
   [[nodiscard]] float number(float least = std::numeric_limits<float>::lowest()) const;
