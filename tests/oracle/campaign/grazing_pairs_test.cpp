@@ -12,11 +12,11 @@
 namespace lightcuts::oracle {
 namespace {
 
-constexpr std::uint64_t seed = 1;
+constexpr std::uint64_t campaign_seed = 1;
 
 GrazingCount judged_pairs(const GrazingAnswers& of, std::uint64_t first, std::uint64_t count) {
   GrazingCount sum;
-  for (std::uint64_t i = first; i < first + count; ++i) sum.merge(check_grazing_pair(of, seed, i));
+  for (std::uint64_t i = first; i < first + count; ++i) sum.merge(check_grazing_pair(of, campaign_seed, i));
   return sum;
 }
 
@@ -39,7 +39,7 @@ TEST(GrazingPairs, HoldForTheLibrary) {
                        seconds_since(start));
   };
   while (double(sum.all_checks()) < wanted) {
-    sum.merge(check_grazing_pair(GrazingAnswers(), seed, sum.pairs));
+    sum.merge(check_grazing_pair(GrazingAnswers(), campaign_seed, sum.pairs));
     if (seconds_since(start) < next_report) continue;
     fmt::print("{}\n", said());
     std::fflush(stdout);
