@@ -147,7 +147,8 @@ TEST(TextureDecoding, refuses_a_size_that_the_bytes_cannot_hold) {
   const std::string compression = std::string("compression") + '\0' + "compression" + '\0';
   bytes[bytes.find(compression) + compression.size() + 4] = 9;
   bytes.resize(1584, '\0');
-  expect_refusal("truncated: 16384 x 16384 pixels in 1584 bytes", [&] { (void)decode_texture(bytes, "a.exr"); });
+  expect_refusal("truncated: 16384 x 16384 pixels in 1584 bytes",
+                 [&] { (void)decode_texture(bytes, "a.exr"); });
 }
 
 } // namespace
