@@ -368,6 +368,7 @@ public:
 
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] Parts parts() const override { return parts_; }
+  [[nodiscard]] bool works_elsewhere() const override { return true; }
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
     return std::make_unique<PluginTree>(processes_, input_of(lights, seed));

@@ -27,7 +27,8 @@ char state_in(const std::filesystem::path& stat) {
 double processor_seconds(pid_t process) {
   clockid_t clock{};
   timespec time{};
-  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
+  if (process <= 0 || clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0)
+    return 0;
   return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 

@@ -121,6 +121,8 @@ public:
   virtual ~Subject() = default;
   [[nodiscard]] virtual const std::string& name() const = 0;
   [[nodiscard]] virtual Parts parts() const = 0;
+  /// Whether it works in another process, whose processor time is not this one's.
+  [[nodiscard]] virtual bool works_elsewhere() const { return false; }
   /// Builds a light tree; seed: of its random choices.
   [[nodiscard]] virtual std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                            std::uint64_t seed) const = 0;

@@ -59,7 +59,7 @@ TEST(CheckCommand, PrintsJsonAndNothingElse) {
     EXPECT_TRUE(property["worst_ratio"].is_null() || property["worst_ratio"] <= 1);
   }
   EXPECT_EQ(result["properties"][0]["name"], "tree-partitions-lights");
-  EXPECT_EQ(reached, 35);
+  EXPECT_EQ(reached, 37);
   EXPECT_TRUE(oracle.files().empty());
 }
 

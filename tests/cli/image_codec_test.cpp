@@ -15,7 +15,7 @@ TEST(ImageCodec, IsNotLoadedWithTheProgram) {
   ::setenv("LD_TRACE_LOADED_OBJECTS", "1", 1);
   const Outcome libraries = OracleProcess().run({});
   ::unsetenv("LD_TRACE_LOADED_OBJECTS");
-  EXPECT_THAT(libraries.out, HasSubstr("libassimp"));
+  EXPECT_THAT(libraries.out, HasSubstr("libembree"));
   EXPECT_THAT(libraries.out, Not(HasSubstr("OpenImageIO")));
 }
 
