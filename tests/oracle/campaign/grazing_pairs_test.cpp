@@ -16,7 +16,8 @@ constexpr std::uint64_t campaign_seed = 1;
 
 GrazingCount judged_pairs(const GrazingAnswers& of, std::uint64_t first, std::uint64_t count) {
   GrazingCount sum;
-  for (std::uint64_t i = first; i < first + count; ++i) sum.merge(check_grazing_pair(of, campaign_seed, i));
+  for (std::uint64_t i = first; i < first + count; ++i)
+    sum.merge(check_grazing_pair(of, campaign_seed, i));
   return sum;
 }
 
