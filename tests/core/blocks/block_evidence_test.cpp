@@ -71,6 +71,16 @@ TEST(BlockEvidence, AsksAllWhereAQuarterDisagrees) {
   }
 }
 
+TEST(BlockEvidence, TakesNothingOverFromNobody) {
+  // Of any four neighbours in a row one is in the quarter: these lie on three of the four places.
+  for (std::uint32_t left_out = 0; left_out < 4; ++left_out) {
+    Looking at;
+    std::erase_if(at.all, [&](std::uint32_t p) { return (p + 2 * (p / 8)) % 4 == left_out; });
+    at.look(0, [](std::uint32_t, std::uint32_t) { return false; });
+    for (const std::uint32_t p : at.all) EXPECT_FALSE(at.evidence.sees(0, p)) << p;
+  }
+}
+
 TEST(BlockEvidence, SpreadsTheLightsThatAreAskedForByIntensity) {
   // Stratified: over n draws each light is asked for n times its share, to within a few.
   std::map<std::uint32_t, double> times;

@@ -15,8 +15,8 @@
 namespace lightcuts {
 namespace {
 
-/// After how many steps points may stop next: a twelfth more. As many as that a cut may be larger
-/// than it need be; in between nobody looks.
+/// After how many steps points may stop next: a twelfth more, so that a cut is larger than it need
+/// be by no more than that, and few look at clusters that are refined at once.
 std::size_t next_stop(std::size_t steps) { return steps + std::max<std::size_t>(1, steps / 12); }
 
 /// Whether all points look at this cut even if none of the samples would stop here.
@@ -83,7 +83,7 @@ void BlockCutSelector::light(Members members) {
 }
 
 bool BlockCutSelector::walk(const ShadingBlock& block) {
-  evidence_.start(points_, seed_ ^ (query_ + members_.front()));
+  evidence_.start(points_, splitmix64(seed_ ^ query_) + members_.front());
   chain_.start(block);
   share_.start(places_);
   Members open(points_.size());

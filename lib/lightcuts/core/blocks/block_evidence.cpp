@@ -49,7 +49,9 @@ void BlockEvidence::look(std::span<const CutChain::Link> clusters,
     int seen = 0, hidden = 0;
     for (const std::uint32_t p : first_)
       if (row[p].weight > 0) ++(row[p].visible ? seen : hidden);
-    if (seen > 0 && hidden > 0) {
+    // Too few do not speak for others: where the grid that they are on has few of these points, or
+    // most lights they drew lie below their horizon.
+    if ((seen > 0 && hidden > 0) || std::size_t(seen + hidden) < fewest / 4) {
       ask(node, row, others_, visible);
       continue;
     }
