@@ -21,7 +21,8 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
 void add_plugin_options(CLI::App& command, oracle::PluginConfig& config) {
   command
       .add_option("--time-limit", config.time_limit,
-                  "of each question to a plug-in, seconds; after that it counts as hung")
+                  "of each question to a plug-in, seconds; after that it counts as hung, "
+                  "unless the machine kept it from running")
       ->check(CLI::Range(1e-3, 1e6))
       ->capture_default_str();
   command
