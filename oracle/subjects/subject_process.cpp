@@ -121,12 +121,23 @@ public:
   [[nodiscard]] bool is_put_off() {
     constexpr int most_turns = 30; // wall time in which any machine gets round to it
     const double had = processor_seconds(process_) - had_before_;
-    if (turns_ >= most_turns || had >= 0.5 * limit_ || !wants_processor(process_)) return false;
+    if (turns_ >= most_turns || had >= 0.5 * limit_ || !wants_processor_now_and_then())
+      return false;
     ++turns_;
     return true;
   }
 
 private:
+  /// A process that is kept waiting may be seen just where it waits for the oracle.
+  [[nodiscard]] bool wants_processor_now_and_then() const {
+    constexpr int looks = 20;
+    for (int i = 0; i < looks; ++i) {
+      if (wants_processor(process_)) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+  }
+
   double limit_;
   pid_t process_;
   double had_before_; ///< processor time, seconds
@@ -262,7 +273,8 @@ void SubjectProcess::wait_for(short event, Deadline& deadline) {
       siginfo_t info{}; // it may be dead, and a process that it started hold the connection
       const int peek = WEXITED | WNOHANG | WNOWAIT;
       if (waitid(P_PID, id_t(pid_), &info, peek) == 0 && info.si_pid == pid_) fail_by_death();
-      if (deadline.is_put_off()) continue;
+      // It may have come to it since the last poll.
+      if (deadline.is_put_off() || (poll(ready, 1, 0) > 0 && ready[0].revents != 0)) continue;
       fail(fmt::format("hung for {:g} s {}", config_.time_limit, place()));
     }
   }

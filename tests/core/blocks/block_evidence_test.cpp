@@ -3,6 +3,7 @@
 
 #include <map>
 #include <numeric>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -133,11 +134,33 @@ TEST(BlockEvidence, LetsAPointLookForItself) {
     at.asked.emplace(p, light);
     return false;
   };
-  at.evidence.look_for_itself({&link, 1}, quiet, hidden);
+  EXPECT_TRUE(at.evidence.look_for_itself({&link, 1}, quiet, hidden));
   EXPECT_EQ(at.asked.count(quiet), 1U);
   EXPECT_FALSE(at.evidence.sees(0, quiet));
-  at.evidence.look_for_itself({&link, 1}, quiet, hidden);
+  EXPECT_FALSE(at.evidence.look_for_itself({&link, 1}, quiet, hidden));
   EXPECT_EQ(at.asked.count(quiet), 1U) << "it has";
+}
+
+TEST(BlockEvidence, AsksForSeveralLightsWhereAPointLooksClosely) {
+  Looking at;
+  at.look(0, all_is_seen);
+  const std::uint32_t rays = at.evidence.shadow_rays(9);
+  const CutChain::Link link{0, glm::vec3(1e30F), false};
+  std::vector<float> shares;
+  std::set<std::uint32_t> lights;
+  at.evidence.look_closely(
+      {&link, 1}, 9,
+      [&](std::uint32_t p, std::uint32_t light) {
+        EXPECT_EQ(p, 9U);
+        lights.insert(light);
+        return light % 2 == 0;
+      },
+      shares);
+  EXPECT_GE(lights.size(), 4U);
+  EXPECT_GT(at.evidence.shadow_rays(9), rays + 3);
+  ASSERT_EQ(shares.size(), 1U);
+  EXPECT_GT(shares[0], 0);
+  EXPECT_LT(shares[0], 1);
 }
 
 TEST(BlockEvidence, AsksNothingWhereNothingOccludes) {

@@ -2,6 +2,7 @@
 #include <lightcuts/core/blocks/block_cut_selector.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -156,52 +157,88 @@ void BlockCutSelector::settle(Members& open) {
     for (const std::uint32_t p : group_)
       finish(p, evidence_.total(chain_.clusters().size(), p), nullptr, 0);
   else
-    share_out();
+    share_out(open);
   Members left;
   std::ranges::set_difference(open, group_, std::back_inserter(left));
   open = std::move(left);
 }
 
-void BlockCutSelector::share_out() {
-  struct Sums {
-    glm::dvec3 total{0};
-    // Means of the channels: by how much the shares differ from what the point saw, and the
-    // variance of that if the shares are right.
-    double moved = 0, variance = 0;
-  };
+/// Of what the shares of a cut differ from what one point saw of its clusters. Means of channels.
+struct BlockCutSelector::Deviation {
+  double moved = 0;        ///< the sum
+  double up = 0, down = 0; ///< the largest and the smallest of it, 0 among them
+  double variance = 0;     ///< of the sum, if the shares are right
+
+  void add(double light, double share, double own) {
+    const double by = light * (share - own);
+    moved += by;
+    up = std::max(up, by);
+    down = std::min(down, by);
+    variance += light * light * share * (1 - share);
+  }
+  /// Whether the sum is more than so many deviations, without the cluster that counts most: one
+  /// that is seen by all but few points has an error that no deviation tells.
+  [[nodiscard]] bool exceeds(double deviations) const {
+    const double rest = moved > 0 ? moved - up : moved - down;
+    return rest * rest > deviations * deviations * variance;
+  }
+};
+
+BlockCutSelector::Deviation BlockCutSelector::deviation_of(std::uint32_t p, const float* shares,
+                                                           std::size_t stride) const {
+  Deviation deviation;
+  for (std::size_t place = 0; place < chain_.clusters().size(); ++place)
+    deviation.add(mean_of(evidence_.open(place, p)), double(shares[place * stride]),
+                  evidence_.sees(place, p) ? 1 : 0);
+  return deviation;
+}
+
+bool BlockCutSelector::wants_to_look_closely(std::uint32_t p, const float* shares,
+                                             std::size_t stride, double total) {
+  constexpr double doubtful = 1.5, contradicted = 2.5; // deviations
+  constexpr double noisy = 0.05;                       // deviation relative to the total
+  Deviation deviation = deviation_of(p, shares, stride);
+  if (deviation.exceeds(doubtful) && evidence_.look_for_itself(chain_.clusters(), p, *visible_))
+    deviation = deviation_of(p, shares, stride);
+  return deviation.exceeds(contradicted) ||
+         std::sqrt(deviation.variance) > std::max(noisy, double(config_.threshold)) * total;
+}
+
+void BlockCutSelector::share_out(const Members& lookers) {
+  share_.observe(evidence_, chain_.clusters(), lookers);
   const std::size_t count = chain_.clusters().size(), stride = group_.size();
-  std::vector<Sums> sums(stride);
   shares_.resize(count * stride);
   for (std::size_t place = 0; place < count; ++place) {
-    const std::uint32_t node = chain_.clusters()[place].node;
-    const bool leaf = tree_->node(node).is_leaf();
-    const VisibleShare::Plane plane =
-        leaf ? VisibleShare::Plane() : share_.fit(evidence_, place, node);
-    for (std::size_t i = 0; i < stride; ++i) {
-      const std::uint32_t p = group_[i];
-      const float own = evidence_.sees(place, p) ? 1.0F : 0.0F;
-      const float share = leaf ? own : static_cast<float>(share_.at(plane, p));
-      const glm::dvec3& open = evidence_.open(place, p);
-      const double light = mean_of(open);
-      shares_[place * stride + i] = share;
-      sums[i].total += open * double(share);
-      sums[i].moved += light * (double(share) - own);
-      sums[i].variance += light * light * share * (1 - double(share));
-    }
+    const std::span<float> shares = std::span(shares_).subspan(place * stride, stride);
+    if (tree_->node(chain_.clusters()[place].node).is_leaf())
+      for (std::size_t i = 0; i < stride; ++i)
+        shares[i] = evidence_.sees(place, group_[i]) ? 1.0F : 0.0F;
+    else
+      share_.at(place, group_, shares);
   }
   Members done;
   for (std::size_t i = 0; i < stride; ++i) {
-    constexpr double most_deviations2 = 3 * 3;
     const std::uint32_t p = group_[i];
-    const auto& [total, moved, variance] = sums[i];
-    const bool contradicts = moved * moved > most_deviations2 * variance;
-    if (contradicts) evidence_.look_for_itself(chain_.clusters(), p, *visible_);
-    const glm::dvec3 taken = contradicts ? evidence_.total(count, p) : total;
-    if (!chain_.ended() && !obeys(taken)) continue;
-    finish(p, taken, contradicts ? nullptr : &shares_[i], stride);
+    float* const shares = &shares_[i];
+    glm::dvec3 total = total_of(p, shares, stride);
+    if (wants_to_look_closely(p, shares, stride, mean_of(total))) {
+      evidence_.look_closely(chain_.clusters(), p, *visible_, closely_);
+      for (std::size_t place = 0; place < count; ++place) shares[place * stride] = closely_[place];
+      total = total_of(p, shares, stride);
+    }
+    if (!chain_.ended() && !obeys(total)) continue;
+    finish(p, total, shares, stride);
     done.push_back(p);
   }
   group_ = std::move(done);
+}
+
+glm::dvec3 BlockCutSelector::total_of(std::uint32_t p, const float* shares,
+                                      std::size_t stride) const {
+  glm::dvec3 total(0);
+  for (std::size_t place = 0; place < chain_.clusters().size(); ++place)
+    total += evidence_.open(place, p) * double(shares[place * stride]);
+  return total;
 }
 
 CutEnd BlockCutSelector::end_of(std::uint32_t p, const glm::dvec3& total) const {

@@ -37,9 +37,9 @@ struct BlockCut {
 ///
 /// Which share of a cluster is seen is estimated over the points of a block, each of which asks for
 /// another light of the cluster: see BlockEvidence and VisibleShare. A point whose own evidence
-/// contradicts the shares of its neighbours keeps to what it saw itself. A smaller threshold
-/// refines a cut but for what a share changes by the points that look at a cluster with it. One
-/// selector per thread.
+/// contradicts these shares, or to which they leave too much chance, asks for several lights of
+/// each cluster and keeps to what it saw itself. A smaller threshold refines a cut but for what a
+/// share changes by the points that look at a cluster with it. One selector per thread.
 class BlockCutSelector {
 public:
   /// The tree must outlive the selector. Throws InputError, naming the field, where the
@@ -64,8 +64,16 @@ private:
   bool ask_samples(glm::dvec3& mean);
   /// Finishes those of the open points that may stop at this cut.
   void settle(Members& open);
-  /// The same of those in group_, who are left there; by shares.
-  void share_out();
+  /// Finishes those in group_, who are left there, by shares; lookers: all that look at this cut.
+  void share_out(const Members& lookers);
+  // Of a point, by its shares of the clusters, each `stride` after the one before:
+  struct Deviation;
+  [[nodiscard]] Deviation deviation_of(std::uint32_t p, const float* shares,
+                                       std::size_t stride) const;
+  /// Whether its own evidence contradicts the shares, or these are too uncertain.
+  bool wants_to_look_closely(std::uint32_t p, const float* shares, std::size_t stride,
+                             double total);
+  [[nodiscard]] glm::dvec3 total_of(std::uint32_t p, const float* shares, std::size_t stride) const;
   void finish(std::uint32_t p, const glm::dvec3& total, const float* shares, std::size_t stride);
   [[nodiscard]] bool obeys(const glm::dvec3& total) const;
   [[nodiscard]] CutEnd end_of(std::uint32_t p, const glm::dvec3& total) const;
@@ -94,8 +102,9 @@ private:
   // Of the cut that the chain has come to.
   glm::vec3 largest_bound_{0}; ///< above the black level
   glm::dvec3 bound_sum_{0};
-  Members group_;             ///< p
-  std::vector<float> shares_; ///< by place in the cut, then in the group
+  Members group_;              ///< p
+  std::vector<float> closely_; ///< by place in the cut
+  std::vector<float> shares_;  ///< by place in the cut, then in the group
 };
 
 } // namespace lightcuts

@@ -11,6 +11,12 @@
 #include <lightcuts/core/numerics/splitmix.h>
 
 namespace lightcuts {
+namespace {
+
+/// In [0, 1), by 53 bits of a hash.
+double fraction_of(std::uint64_t hash) { return double(hash >> 11) * 0x1p-53; }
+
+} // namespace
 
 void BlockEvidence::start(std::span<const ShadingPoint* const> points, std::uint64_t seed) {
   points_ = points;
@@ -62,12 +68,44 @@ void BlockEvidence::look(std::span<const CutChain::Link> clusters,
   }
 }
 
-void BlockEvidence::look_for_itself(std::span<const CutChain::Link> clusters, std::uint32_t point,
+bool BlockEvidence::look_for_itself(std::span<const CutChain::Link> clusters, std::uint32_t point,
                                     const BlockVisibility& visible) {
+  bool any = false;
   for (std::size_t place = 0; place < clusters.size(); ++place) {
     Seen* const row = &seen_[place * stride_];
-    if (row[point].taken_over) ask(clusters[place].node, row, {&point, 1}, visible);
+    if (!row[point].taken_over) continue;
+    ask(clusters[place].node, row, {&point, 1}, visible);
+    any = true;
   }
+  return any;
+}
+
+void BlockEvidence::look_closely(std::span<const CutChain::Link> clusters, std::uint32_t point,
+                                 const BlockVisibility& visible, std::vector<float>& shares) {
+  look_for_itself(clusters, point, visible);
+  shares.resize(clusters.size());
+  for (std::size_t place = 0; place < clusters.size(); ++place) {
+    const std::uint32_t node = clusters[place].node;
+    const Seen& own = seen_[place * stride_ + point];
+    shares[place] = own.visible ? 1 : 0;
+    if (own.open != glm::dvec3(0) && !tree_->node(node).is_leaf())
+      shares[place] = share_of_several(node, point, visible, shares[place]);
+  }
+}
+
+float BlockEvidence::share_of_several(std::uint32_t node, std::uint32_t point,
+                                      const BlockVisibility& visible, float otherwise) {
+  constexpr int lights = 4; // stratified by intensity
+  const double start = fraction_of(splitmix64(splitmix64(seed_ ^ node) + point));
+  double all = 0, seen = 0;
+  for (int i = 0; i < lights; ++i) {
+    Seen one;
+    const Draw drawn{(i + start) / lights, point, &one};
+    draw(node, 0, 1, {&drawn, 1}, visible);
+    all += one.weight;
+    if (one.visible) seen += one.weight;
+  }
+  return all > 0 ? static_cast<float>(seen / all) : otherwise;
 }
 
 void BlockEvidence::open_up(std::uint32_t node, const glm::vec3& bound, Seen* row) {
@@ -85,20 +123,20 @@ void BlockEvidence::open_up(std::uint32_t node, const glm::vec3& bound, Seen* ro
 void BlockEvidence::ask(std::uint32_t node, Seen* row, std::span<const std::uint32_t> points,
                         const BlockVisibility& visible) {
   constexpr double golden = 0.6180339887498949;
-  const double start = double(splitmix64(seed_ ^ node) >> 11) * 0x1p-53;
+  const double start = fraction_of(splitmix64(seed_ ^ node));
   draws_.clear();
   for (const std::uint32_t p : points) {
     const double u = start + golden * (p + 1);
-    draws_.push_back({u - std::floor(u), p});
+    draws_.push_back({u - std::floor(u), p, &row[p]});
   }
   std::ranges::sort(draws_, {}, &Draw::u);
-  draw(node, 0, 1, draws_, row, visible);
+  draw(node, 0, 1, draws_, visible);
 }
 
 /// Goes down with all draws at once, which are in order: those below the first child's share of
 /// [lo, hi) are its.
 void BlockEvidence::draw(std::uint32_t node, double lo, double hi, std::span<const Draw> draws,
-                         Seen* row, const BlockVisibility& visible) {
+                         const BlockVisibility& visible) {
   while (!draws.empty() && !tree_->node(node).is_leaf()) {
     const std::uint32_t first = tree_->node(node).first_child;
     const glm::dvec3 &a = tree_->node(first).intensity, &b = tree_->node(first + 1).intensity;
@@ -107,8 +145,7 @@ void BlockEvidence::draw(std::uint32_t node, double lo, double hi, std::span<con
     const double middle = sum > 0 ? lo + (hi - lo) * (weight / sum) : hi;
     std::size_t count = 0;
     while (count < draws.size() && draws[count].u < middle) ++count;
-    if (count < draws.size() && count > 0)
-      draw(first, lo, middle, draws.first(count), row, visible);
+    if (count < draws.size() && count > 0) draw(first, lo, middle, draws.first(count), visible);
     if (count < draws.size()) {
       draws = draws.subspan(count);
       node = first + 1;
@@ -118,8 +155,7 @@ void BlockEvidence::draw(std::uint32_t node, double lo, double hi, std::span<con
       hi = middle;
     }
   }
-  for (const Draw& d : draws)
-    ask_for(tree_->node(node).representative, d.point, row[d.point], visible);
+  for (const Draw& d : draws) ask_for(tree_->node(node).representative, d.point, *d.into, visible);
 }
 
 void BlockEvidence::ask_for(std::uint32_t light, std::uint32_t point, Seen& seen,

@@ -32,9 +32,12 @@ public:
   /// horizon.
   void look(std::span<const CutChain::Link> clusters, std::span<const std::uint32_t> points,
             const BlockVisibility& visible);
-  /// The point asks for itself where it has taken over what others see.
-  void look_for_itself(std::span<const CutChain::Link> clusters, std::uint32_t point,
+  /// The point asks for itself where it has taken over what others see; false: nowhere.
+  bool look_for_itself(std::span<const CutChain::Link> clusters, std::uint32_t point,
                        const BlockVisibility& visible);
+  /// The shares that a point sees of clusters, by several lights of each that it asks for itself.
+  void look_closely(std::span<const CutChain::Link> clusters, std::uint32_t point,
+                    const BlockVisibility& visible, std::vector<float>& shares);
 
   /// What the cluster at a place contributes where nothing occludes, at most its bound; exact for a
   /// leaf.
@@ -72,13 +75,17 @@ private:
   struct Draw {
     double u; ///< in [0, 1)
     std::uint32_t point;
+    Seen* into;
   };
 
   void open_up(std::uint32_t node, const glm::vec3& bound, Seen* row);
   void ask(std::uint32_t node, Seen* row, std::span<const std::uint32_t> points,
            const BlockVisibility& visible);
-  void draw(std::uint32_t node, double lo, double hi, std::span<const Draw> draws, Seen* row,
+  void draw(std::uint32_t node, double lo, double hi, std::span<const Draw> draws,
             const BlockVisibility& visible);
+  /// The share of a cluster seen, by several lights; `otherwise` where none is above the horizon.
+  [[nodiscard]] float share_of_several(std::uint32_t node, std::uint32_t point,
+                                       const BlockVisibility& visible, float otherwise);
   void ask_for(std::uint32_t light, std::uint32_t point, Seen& seen,
                const BlockVisibility& visible);
 
