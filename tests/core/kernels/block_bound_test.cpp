@@ -106,6 +106,65 @@ TEST(BlockBound, HoldsInManyBlocksOfAllKindsAndLobes) {
   }
 }
 
+/// How many (node, point, channel) of the case lie below the block's lower bound, by 113 bits; what
+/// smallest subnormals rounding down to float may take does not matter.
+int violations_below(const BlockCase& c, const ShadingBlock& block) {
+  const LightTree tree = build(c.scene.light_set());
+  int count = 0;
+  for (const ShadingPoint& point : c.points()) {
+    const std::vector<Colour> truth = precise::contributions(tree, point);
+    for (std::uint32_t i = 0; i < truth.size(); ++i) {
+      const glm::vec3 bound = contribution_lower_bound(tree, i, block);
+      for (int k = 0; k < 3; ++k) {
+        if (std::isnan(bound[k])) return -1;
+        if (truth[i][k] < Quad(bound[k])) ++count;
+      }
+    }
+  }
+  return count;
+}
+
+TEST(BlockLowerBound, HoldsInManyBlocksOfAllKindsAndLobes) {
+  int positive = 0;
+  for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+    const BlockCase c = block_case(seed);
+    const ShadingBlock block(c.points());
+    ASSERT_EQ(violations_below(c, block), 0) << "seed " << seed;
+    if (contribution_lower_bound(build(c.scene.light_set()), 0, block) != glm::vec3(0)) ++positive;
+  }
+  EXPECT_GT(positive, 500);
+}
+
+TEST(BlockLowerBound, IsConvictedWhereItIsWrong) {
+  const auto convicts = [](const std::function<void(std::vector<gen::View>&)>& alter) {
+    for (std::uint64_t seed = 0; seed < 5000; ++seed) {
+      const BlockCase c = block_case(seed);
+      BlockCase altered = c;
+      alter(altered.views);
+      if (violations_below(c, ShadingBlock(altered.points())) != 0) return true;
+    }
+    return false;
+  };
+  using Views = std::vector<gen::View>;
+  EXPECT_FALSE(convicts([](Views&) {}));
+  EXPECT_TRUE(convicts([](Views& v) { v.back().position = v.front().position; }));
+  EXPECT_TRUE(convicts([](Views& v) { v.back().normal = v.front().normal; }));
+  EXPECT_TRUE(convicts([](Views& v) {
+    for (gen::View& view : v) view.material.diffuse = v.front().material.diffuse;
+  }));
+}
+
+TEST(BlockLowerBound, OfOnePointIsThatOfThePoint) {
+  LightSet lights;
+  lights.add_omni({1, 2, 2}, glm::vec3(1));
+  lights.add_omni({2, 1, 3}, glm::vec3(2));
+  const LightTree tree = build(lights);
+  const ShadingPoint point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {glm::vec3(0.5F), {}});
+  const ShadingBlock block({&point, 1});
+  EXPECT_GT(contribution_lower_bound(tree, 0, point).x, 0);
+  EXPECT_EQ(contribution_lower_bound(tree, 0, block), contribution_lower_bound(tree, 0, point));
+}
+
 /// Whether the truth convicts a block that was made of other points than it is judged by.
 bool convicts(const std::function<void(std::vector<gen::View>&)>& alter) {
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {

@@ -86,6 +86,8 @@ void BlockCutSelector::light(Members members) {
 bool BlockCutSelector::walk(const ShadingBlock& block) {
   evidence_.start(points_, splitmix64(seed_ ^ query_) + members_.front());
   chain_.start(block);
+  block_ = &block;
+  lows_.clear();
   share_.start(places_);
   Members open(points_.size());
   std::iota(open.begin(), open.end(), 0U);
@@ -153,6 +155,7 @@ void BlockCutSelector::settle(Members& open) {
   if (group_.empty()) return;
   bound_sum_ = glm::dvec3(0);
   for (const CutChain::Link& c : chain_.clusters()) bound_sum_ += glm::dvec3(c.bound);
+  if (config_.unoccluded) bound_below();
   if (config_.unoccluded)
     for (const std::uint32_t p : group_)
       finish(p, evidence_.total(chain_.clusters().size(), p), nullptr, 0);
@@ -258,6 +261,15 @@ CutEnd BlockCutSelector::end_of(std::uint32_t p, const glm::dvec3& total) const 
   return end;
 }
 
+void BlockCutSelector::bound_below() {
+  lows_.resize(chain_.clusters().size());
+  for (std::size_t place = 0; place < lows_.size(); ++place) {
+    const std::uint32_t node = chain_.clusters()[place].node;
+    if (lows_[place].node != node)
+      lows_[place] = {node, contribution_lower_bound(*tree_, node, *block_)};
+  }
+}
+
 glm::dvec3 BlockCutSelector::error_bound(std::uint32_t p) const {
   if (!config_.unoccluded) return bound_sum_;
   // Estimate and truth lie between lower and upper bound.
@@ -266,7 +278,7 @@ glm::dvec3 BlockCutSelector::error_bound(std::uint32_t p) const {
     const CutChain::Link& cluster = chain_.clusters()[place];
     if (cluster.bound == glm::vec3(0)) continue;
     const glm::dvec3 high(cluster.bound);
-    const glm::dvec3 low(contribution_lower_bound(*tree_, cluster.node, *points_[p]));
+    const glm::dvec3 low(lows_[place].bound);
     const glm::dvec3 estimate = evidence_.open(place, p);
     sum += glm::min(high, glm::max(estimate - low, high - estimate));
   }

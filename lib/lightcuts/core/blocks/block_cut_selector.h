@@ -77,6 +77,8 @@ private:
   void finish(std::uint32_t p, const glm::dvec3& total, const float* shares, std::size_t stride);
   [[nodiscard]] bool obeys(const glm::dvec3& total) const;
   [[nodiscard]] CutEnd end_of(std::uint32_t p, const glm::dvec3& total) const;
+  /// Sees to it that lows_ are those of this cut.
+  void bound_below();
   [[nodiscard]] glm::dvec3 error_bound(std::uint32_t p) const;
 
   const LightTree* tree_;
@@ -99,9 +101,16 @@ private:
   std::vector<glm::vec2> places_;
   Members samples_; ///< some p
 
+  const ShadingBlock* block_ = nullptr;
+
   // Of the cut that the chain has come to.
   glm::vec3 largest_bound_{0}; ///< above the black level
   glm::dvec3 bound_sum_{0};
+  struct Low {
+    std::uint32_t node = 0xffffffff;
+    glm::vec3 bound{0};
+  };
+  std::vector<Low> lows_;      ///< lower bounds where nothing occludes, by place in the cut
   Members group_;              ///< p
   std::vector<float> closely_; ///< by place in the cut
   std::vector<float> shares_;  ///< by place in the cut, then in the group

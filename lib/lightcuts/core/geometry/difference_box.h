@@ -64,4 +64,14 @@ private:
   return sum;
 }
 
+/// max |q|^2 over the box; relative error 2^-50.
+[[nodiscard]] inline double max_length2(const DifferenceBox& q) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double farthest = std::max(q.hi[i], -q.lo[i]);
+    sum += farthest * farthest;
+  }
+  return sum;
+}
+
 } // namespace lightcuts

@@ -32,6 +32,25 @@ double max_cosine_falloff(const OrientationCone& normals, const DifferenceBox& q
   return std::min(apart, turned);
 }
 
+/// Lower bound of n.l falloff over the same: from a to n the cosine with l turns into no less than
+///   cos g a.l - sin g   and   cos((a,l) + g) .
+template <class Kind>
+double min_cosine_falloff(const OrientationCone& normals, const DifferenceBox& q,
+                          double min_distance2, double most_falloff) {
+  const auto falloff_at = [&](double length2) {
+    return falloff(Kind::kind, length2, min_distance2);
+  };
+  const double joint =
+      min_cosine_times(normals.axis, q, falloff_at) / glm::length(glm::dvec3(normals.axis));
+  if (normals.chord2 == 0) return joint;
+  constexpr double slack = 16 * angle_error;
+  const Angle g = normals.half_angle();
+  const double turned = g.cos > 0 ? (g.cos - slack) * joint - (g.sin + slack) * most_falloff : 0;
+  const double cosine = sum(supplement(min_angle(-normals.axis, q)), g).cos - slack;
+  const double apart = cosine > 0 ? cosine * falloff_at(max_length2(q) * (1 + 0x1p-40)) : 0;
+  return std::max({0.0, turned, apart});
+}
+
 } // namespace detail
 
 /// Upper bound, per channel, of what the cluster, whose lights are of one kind, contributes to the
@@ -61,6 +80,28 @@ template <class Kind, class OneLobe>
         lobe.bound(BlockSight{block.directions(), q, geometric, falloff * detail::bound_inflation});
   return detail::bound_of_product(cluster.intensity, emitted, block.material().diffuse, geometric,
                                   shine);
+}
+
+/// Lower bound of what the cluster of one kind contributes to any point of the block where nothing
+/// occludes: cluster_lower_bound() over the same; not rounded to float yet.
+template <class Kind>
+[[nodiscard]] glm::dvec3 block_lower_bound(const LightTree& tree, std::uint32_t i,
+                                           const ShadingBlock& block) {
+  constexpr double deflate = 1 - 0x1p-26; // see bound_inflation
+  const TreeNode& cluster = tree.node(i);
+  const Box origin{glm::vec3(0), glm::vec3(0)};
+  const DifferenceBox q =
+      DifferenceBox::between(is_at_infinity(Kind::kind) ? origin : block.positions(), cluster.box);
+  const double most_falloff = JointSuprema<Kind>::max_falloff(q, tree.min_distance2());
+  if (most_falloff == std::numeric_limits<double>::infinity()) return glm::dvec3(0);
+  double geometric = detail::min_cosine_falloff<Kind>(block.directions().normals, q,
+                                                      tree.min_distance2(), most_falloff) *
+                     deflate;
+  if constexpr (has_axis(Kind::kind))
+    if (geometric > 0) geometric *= Kind::min_emission(tree.emission(i), q) * deflate;
+  return geometric == 0 ? glm::dvec3(0)
+                        : glm::dvec3(block.least_diffuse()) * std::numbers::inv_pi *
+                              cluster.intensity * geometric;
 }
 
 } // namespace lightcuts

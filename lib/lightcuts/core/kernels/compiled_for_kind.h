@@ -119,6 +119,7 @@ const KindKernel& CompiledForKind<Kind>::kernel() {
                                   F::cosine_bound,
                                   cluster_lower_bound<Kind>,
                                   F::bound_of_block,
+                                  block_lower_bound<Kind>,
                                   F::estimates,
                                   F::evaluate,
                                   F::all_bounds,

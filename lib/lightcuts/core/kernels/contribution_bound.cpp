@@ -25,6 +25,10 @@ glm::dvec3 transfer_of(const LightTree& tree, const Light& light, const ShadingP
   return result;
 }
 
+glm::vec3 rounded_down(const glm::dvec3& v) {
+  return {round_down(v.x), round_down(v.y), round_down(v.z)};
+}
+
 } // namespace
 
 const KindKernel& kernel_of(LightKind kind) {
@@ -65,10 +69,16 @@ glm::vec3 cosine_bound(const LightTree& tree, std::uint32_t node, const ShadingP
 
 glm::vec3 contribution_lower_bound(const LightTree& tree, std::uint32_t node,
                                    const ShadingPoint& point) {
-  const glm::dvec3 bound = over_kinds(tree, node, [&](std::uint32_t i) {
+  return rounded_down(over_kinds(tree, node, [&](std::uint32_t i) {
     return kernel_of(tree.node(i)).lower_bound(tree, i, point);
-  });
-  return {round_down(bound.x), round_down(bound.y), round_down(bound.z)};
+  }));
+}
+
+glm::vec3 contribution_lower_bound(const LightTree& tree, std::uint32_t node,
+                                   const ShadingBlock& block) {
+  return rounded_down(over_kinds(tree, node, [&](std::uint32_t i) {
+    return kernel_of(tree.node(i)).block_lower_bound(tree, i, block);
+  }));
 }
 
 glm::dvec3 cluster_estimate(const LightTree& tree, std::uint32_t node, const ShadingPoint& point,

@@ -43,6 +43,9 @@ void contribution_bounds(const LightTree& tree, const ShadingPoint& point,
 /// the infimum in real numbers.
 [[nodiscard]] glm::vec3 contribution_lower_bound(const LightTree& tree, std::uint32_t node,
                                                  const ShadingPoint& point);
+/// A lower bound of what it contributes to any point of the block.
+[[nodiscard]] glm::vec3 contribution_lower_bound(const LightTree& tree, std::uint32_t node,
+                                                 const ShadingBlock& block);
 
 /// What the cluster is taken to contribute if its representative is seen, given its bound: see
 /// ClusterKernel::estimate(). A mixed cluster: the sum of its children's, at most the bound.

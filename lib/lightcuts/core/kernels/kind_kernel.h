@@ -24,6 +24,8 @@ struct KindKernel {
   Bound* cosine_bound;
   Estimate* lower_bound; ///< not rounded down to float yet
   glm::vec3 (*block_bound)(const LightTree&, std::uint32_t node, const ShadingBlock&);
+  /// Not rounded down to float yet.
+  glm::dvec3 (*block_lower_bound)(const LightTree&, std::uint32_t node, const ShadingBlock&);
   /// centroid_estimate() of one node at many points.
   void (*centroid_estimates)(const LightTree&, std::uint32_t node,
                              std::span<const ShadingPoint* const>, glm::dvec3* results);

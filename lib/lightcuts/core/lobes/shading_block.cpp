@@ -28,6 +28,7 @@ BlockDirections directions_of(const ShadingPoint& p) {
 ShadingBlock::ShadingBlock(std::span<const ShadingPoint> points) {
   if (points.empty()) throw InputError(InputFault::missing, "block: has no point");
   material_ = points.front().material();
+  least_diffuse_ = material_.diffuse;
   directions_ = directions_of(points.front());
   positions_.extend(points.front().position());
   for (const ShadingPoint& point : points.subspan(1)) add(point);
@@ -38,6 +39,7 @@ void ShadingBlock::add(const ShadingPoint& point) {
     throw InputError(InputFault::inconsistent,
                      "block: its points' lobes differ in more than reflectance");
   material_.diffuse = glm::max(material_.diffuse, point.material().diffuse);
+  least_diffuse_ = glm::min(least_diffuse_, point.material().diffuse);
   positions_.extend(point.position());
   const BlockDirections own = directions_of(point);
   directions_.normals = merged(directions_.normals, own.normals);

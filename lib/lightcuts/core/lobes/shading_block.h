@@ -20,6 +20,8 @@ public:
   [[nodiscard]] const BlockDirections& directions() const { return directions_; }
   /// The largest reflectances among the points.
   [[nodiscard]] const Material& material() const { return material_; }
+  /// The smallest diffuse reflectance among the points.
+  [[nodiscard]] const glm::vec3& least_diffuse() const { return least_diffuse_; }
 
 private:
   void add(const ShadingPoint& point);
@@ -27,6 +29,7 @@ private:
   Box positions_ = Box::empty();
   BlockDirections directions_;
   Material material_;
+  glm::vec3 least_diffuse_;
 };
 
 } // namespace lightcuts
