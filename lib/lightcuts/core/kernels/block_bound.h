@@ -92,8 +92,8 @@ template <class Kind>
   const Box origin{glm::vec3(0), glm::vec3(0)};
   const DifferenceBox q =
       DifferenceBox::between(is_at_infinity(Kind::kind) ? origin : block.positions(), cluster.box);
+  if (min_length2(q) == 0) return glm::dvec3(0); // what is at a point sends it nothing
   const double most_falloff = JointSuprema<Kind>::max_falloff(q, tree.min_distance2());
-  if (most_falloff == std::numeric_limits<double>::infinity()) return glm::dvec3(0);
   double geometric = detail::min_cosine_falloff<Kind>(block.directions().normals, q,
                                                       tree.min_distance2(), most_falloff) *
                      deflate;
