@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <lightcuts/core/methods/all_methods.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <lightcuts/render/scene/bounds.h>
+#include <lightcuts/render/view/method_choice.h>
 #include <oracle/cli/commands.h>
 #include <oracle/cli/common.h>
+#include <oracle/numbers/same_digits.h>
 #include <oracle/options/scene_options.h>
 #include <oracle/options/values.h>
 #include <oracle/report/measure.h>
@@ -22,7 +25,19 @@ struct Facts {
   std::vector<std::string> needed, left_out;
   float black_level = 0;
   oracle::KernelSaving saving;
+  std::string method; ///< that `render` takes, and why
 };
+
+std::string describe(const MethodChoice& choice, const SceneFeatures& features) {
+  const bool sums = choice.method == methods::lightcuts && !features.tree;
+  return fmt::format("{}{}; expected cost, all lights 1: cuts for each pixel {:.2f}, cuts that "
+                     "neighbours share {:.2f} ({:.0f} clusters and {:.0f} rays a pixel)",
+                     choice.method->name,
+                     sums ? ", summing all lights"
+                          : fmt::format(" at {:g} %", 100 * oracle::same_digits(choice.threshold)),
+                     choice.cost_of_cuts, choice.cost_of_blocks, choice.block_clusters,
+                     choice.block_rays);
+}
 
 Facts facts_of(const Scene& scene, const CommonOptions& options) {
   Facts facts;
@@ -36,6 +51,10 @@ Facts facts_of(const Scene& scene, const CommonOptions& options) {
   const SceneFeatures features = find_scene_features(view, tree, {threshold, options.max_cut, 0});
   facts.black_level = features.black_level;
   oracle::describe_features(view, features, threshold, facts.needed, facts.left_out);
+  if (features.sees_surface)
+    facts.method = describe(choose_method(view, tree, features, options.threshold,
+                                          {threshold, options.max_cut, features.black_level}),
+                            features);
   facts.saving = oracle::measure_kernels(scene, tree, features, {threshold, options.max_cut, 0});
   return facts;
 }
@@ -71,6 +90,7 @@ std::string table_of(const Scene& scene, const Facts& facts) {
                       facts.black_level);
   for (const std::string& line : facts.needed) text += "needed       " + line + "\n";
   for (const std::string& line : facts.left_out) text += "left out     " + line + "\n";
+  if (!facts.method.empty()) text += "method       " + facts.method + "\n";
   const oracle::KernelSaving& s = facts.saving;
   text += fmt::format(
       "saved        {:.2f} times as fast as the general kernel, which leaves nothing "
@@ -97,6 +117,7 @@ std::string json_of(const CommonOptions& options, const Scene& scene, const Fact
       {"black_level", facts.black_level},
       {"needed", facts.needed},
       {"left_out", facts.left_out},
+      {"method", facts.method},
       {"general_kernel_seconds", facts.saving.general_seconds},
       {"specialised_kernel_seconds", facts.saving.specialised_seconds},
       {"notes", scene.notes}};

@@ -7,6 +7,7 @@
 
 #include <lightcuts/core/tree/tree_builder.h>
 #include <lightcuts/render/images/image_codec.h>
+#include <lightcuts/render/view/method_choice.h>
 #include <lightcuts/render/view/renderer.h>
 #include <lightcuts/render/view/scene_features.h>
 #include <oracle/cli/commands.h>
@@ -19,8 +20,10 @@
 namespace lightcuts::cli {
 namespace {
 
+constexpr const char* any_method = "auto";
+
 struct RenderOptions : CommonOptions {
-  std::string method = "lightcuts";
+  std::string method = any_method;
 };
 
 double mean(const std::vector<float>& values, std::uint64_t count) {
@@ -37,13 +40,18 @@ int run(const RenderOptions& options) {
   const SceneView view(scene);
   const LightTree tree = build(scene.lights, build_config_for(options));
   RenderConfig config;
-  config.method = *method_named(options.method);
+  if (options.method != any_method) config.method = *method_named(options.method);
   config.cut = {threshold_for(options, view), options.max_cut, 0};
   config.threads = options.threads;
   config.seed = options.seed;
   const SceneFeatures features = find_scene_features(view, tree, config.cut);
   config.cut.black_level = features.black_level;
   config.use_tree = features.tree;
+  if (options.method == any_method) {
+    const MethodChoice choice = choose_method(view, tree, features, options.threshold, config.cut);
+    config.method = choice.method;
+    config.cut.threshold = choice.threshold;
+  }
   const bool uses_tree = config.method == methods::lightcuts ? features.tree : config.method->cuts;
   Rendering rendering;
   {
@@ -62,7 +70,7 @@ int run(const RenderOptions& options) {
   const double rays = mean(rendering.shadow_rays, rendering.surface_pixels);
   const nlohmann::ordered_json json{{"schema", "lightcuts-oracle/render/1"},
                                     {"scene", options.open.spec},
-                                    {"method", options.method},
+                                    {"method", config.method->name},
                                     {"builder", name_of(options.open.builder)},
                                     {"seed", options.seed},
                                     {"threshold", oracle::same_digits(config.cut.threshold)},
@@ -73,7 +81,7 @@ int run(const RenderOptions& options) {
                                     {"folder", out.string()}};
   const std::string table = fmt::format(
       "{}, {}: {:.2f} s, {:.1f} of {} lights and {:.1f} shadow rays per pixel{}\nwritten to {}\n",
-      scene.name, options.method, rendering.seconds, cut_size, scene.lights.size(), rays,
+      scene.name, config.method->name, rendering.seconds, cut_size, scene.lights.size(), rays,
       uses_tree || !config.method->cuts ? "" : " (no light tree: it would not pay)", out.string());
   print_results(options, table, text_of(json));
   return all_holds;
@@ -90,8 +98,12 @@ void add_render_command(CLI::App& app, Action& chosen) {
   options::add_threshold_option(*command, options->threshold);
   options::add_builder_option(*command, options->open.builder);
   add_out_option(*command, *options);
-  command->add_option("--method", options->method, "how pixels are lit")
-      ->check(CLI::IsMember(method_names()))
+  std::vector<std::string> methods = method_names();
+  methods.insert(methods.begin(), any_method);
+  command
+      ->add_option("--method", options->method,
+                   "how pixels are lit; auto: what is expected to be soonest, see info")
+      ->check(CLI::IsMember(methods))
       ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

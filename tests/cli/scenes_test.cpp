@@ -44,6 +44,7 @@ TEST(InfoCommand, SaysItAsJson) {
   EXPECT_EQ(result["height"], 17);
   EXPECT_EQ(result["needed"][0], "omni lights");
   EXPECT_EQ(result["needed"].size() + result["left_out"].size(), 6U);
+  EXPECT_THAT(result["method"].get<std::string>(), HasSubstr("lightcuts, summing all lights"));
 }
 
 TEST(RenderCommand, WritesPicturesToTheFolder) {
@@ -56,6 +57,18 @@ TEST(RenderCommand, WritesPicturesToTheFolder) {
   EXPECT_THAT(oracle.files(),
               testing::IsSupersetOf({"a b/ü/image.exr", "a b/ü/image.png", "a b/ü/cut-size.png"}));
   EXPECT_EQ(oracle.files().size(), 7U); // two folders and five files
+}
+
+TEST(RenderCommand, TakesTheMethodThatInfoNames) {
+  const OracleProcess oracle;
+  const Outcome info = oracle.run({"info", "cloud?lights=5000", "--size", "32x24"});
+  EXPECT_THAT(info.out,
+              HasSubstr("\nmethod       block-cuts at 4 %; expected cost, all lights 1: "));
+  const Outcome render =
+      oracle.run({"render", "cloud?lights=5000", "--size", "32x24", "--json", "-"});
+  const auto result = nlohmann::json::parse(render.out);
+  EXPECT_EQ(result["method"], "block-cuts");
+  EXPECT_EQ(result["threshold"], 0.04);
 }
 
 TEST(RenderCommand, SaysWhereTheCameraSeesNothing) {
