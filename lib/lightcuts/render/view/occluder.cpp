@@ -71,9 +71,9 @@ RTCRay embree_ray(const glm::vec3& origin, const glm::vec3& direction, float far
 
 struct Occluder::Embree {
   struct Release {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+    void operator()(RTCDevice handle) const { rtcReleaseDevice(handle); }
+    void operator()(RTCScene handle) const { rtcReleaseScene(handle); }
+    void operator()(RTCGeometry handle) const { rtcReleaseGeometry(handle); }
   };
   template <typename Handle>
   using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
