@@ -213,6 +213,15 @@ void add_history(Dice& dice, Case& c, std::uint32_t questions) {
 
 } // namespace
 
+Case small_case(Dice& dice) {
+  Dice aside = dice.aside();
+  Case c = lights_and_views(dice);
+  if (aside.one_in(4)) make_block(aside, c);
+  return c;
+}
+
+Case picture_case(Dice& dice) { return picture(dice); }
+
 Case random_case(std::uint64_t seed, std::uint64_t index) {
   Dice dice(hashed(seed, index));
   constexpr std::uint64_t every = 500; // a second each
