@@ -2,7 +2,6 @@
 #include <oracle/cli/campaign_file.h>
 
 #include <cstdint>
-#include <fstream>
 #include <string>
 #include <utility>
 
@@ -10,6 +9,8 @@
 
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/render/files/output_folder.h>
+#include <lightcuts/render/files/text.h>
+#include <lightcuts/render/io/json/json_text.h>
 #include <oracle/cli/common.h>
 
 namespace lightcuts::cli {
@@ -61,10 +62,9 @@ CampaignFile::CampaignFile(std::filesystem::path file, nlohmann::ordered_json wh
 
 oracle::CheckResult CampaignFile::load() const {
   if (!std::filesystem::exists(file_)) return {};
-  std::ifstream in(file_);
-  if (!in) throw InputError(InputFault::unreadable_file, file_.string() + ": cannot be read");
+  const std::string text = read_file(file_);
   try {
-    const nlohmann::json json = nlohmann::json::parse(in);
+    const nlohmann::json json = nlohmann::json::parse(text);
     if (json.at("schema") != schema)
       throw InputError(InputFault::unsupported,
                        file_.string() + ": is of another version of lightcuts-oracle");
@@ -77,7 +77,7 @@ oracle::CheckResult CampaignFile::load() const {
   } catch (const nlohmann::json::exception& e) {
     throw InputError(
         InputFault::malformed_file,
-        fmt::format("{}: is not what --resume has written: {}", file_.string(), e.what()));
+        fmt::format("{}: is not what --resume has written: {}", file_.string(), plain_message(e)));
   }
 }
 
