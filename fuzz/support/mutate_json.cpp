@@ -66,6 +66,15 @@ Json scalar(gen::Dice& dice) {
   }
 }
 
+/// Some key of some object; "" where that one has none.
+std::string any_key(gen::Dice& dice, const std::vector<Json*>& all) {
+  const Json& object = *any_of(dice, all);
+  if (!object.is_object() || object.empty()) return {};
+  auto member = object.begin();
+  std::advance(member, std::ptrdiff_t(dice.bits() % object.size()));
+  return member.key();
+}
+
 /// One of its children goes, comes again, or takes another's key.
 void rearrange(gen::Dice& dice, Json& parent, const std::vector<Json*>& all) {
   if (parent.empty()) return;
@@ -76,20 +85,14 @@ void rearrange(gen::Dice& dice, Json& parent, const std::vector<Json*>& all) {
     const Json copy = parent[at];
     const int times = what == 1 ? 1 : dice.between(2, 20);
     for (int i = 0; i < times; ++i) parent.push_back(copy);
-    return;
+  } else if (parent.is_object()) {
+    const std::string key = any_key(dice, all); // before any of them goes
+    auto child = parent.begin();
+    std::advance(child, std::ptrdiff_t(at));
+    const Json value = child.value();
+    if (what != 1) parent.erase(std::string(child.key()));
+    if (what != 0) parent[key] = value;
   }
-  if (!parent.is_object()) return;
-  auto child = parent.begin();
-  std::advance(child, std::ptrdiff_t(at));
-  const Json value = child.value();
-  if (what != 1) parent.erase(child.key());
-  if (what == 0) return;
-  const Json& other = *any_of(dice, all);
-  if (!other.is_object() || other.empty()) return;
-  auto donor = other.begin();
-  std::advance(donor, std::ptrdiff_t(dice.bits() % other.size()));
-  const std::string key = donor.key(); // which may be the parent's own
-  parent[key] = value;
 }
 
 void change_once(gen::Dice& dice, Json& root, const Bytewise& bytewise) {
