@@ -118,7 +118,8 @@ void change_once(gen::Dice& dice, Json& root, const Bytewise& bytewise) {
     node = node.get<double>() *
            (dice.one_in(2) ? dice.uniform(-2, 2) : std::pow(10, dice.uniform(-40, 40)));
   else if (node.is_number())
-    node = dice.one_in(2) ? number(dice) : Json(node.get<std::int64_t>() + dice.between(-2, 2));
+    node = dice.one_in(2) ? number(dice)
+                          : Json(node.get<std::uint64_t>() + std::uint64_t(dice.between(-2, 2)));
   else if (node.is_string())
     node = bytewise(node.get<std::string>());
   else if (node.is_boolean())

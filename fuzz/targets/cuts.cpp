@@ -3,8 +3,8 @@
 // tree and the sum over all lights.
 #include <fuzz/support/judged_case.h>
 #include <fuzz/support/target.h>
-#include <oracle/campaign/check.h>
 #include <oracle/cases/random_case.h>
+#include <oracle/properties/cut_answer.h>
 
 namespace lightcuts::fuzz {
 namespace {

@@ -62,11 +62,13 @@ public:
     if (answer_.size() > most) refuse("wrote to the oracle's own connection"); // as processes do
     return answer_;
   }
-  [[noreturn]] void refuse(const std::string& what) override {
-    alive_ = false;
-    throw SubjectFailure("fuzzed: " + what);
-  }
   [[nodiscard]] bool is_alive() const override { return alive_; }
+
+protected:
+  std::string ended(const std::string& what) override {
+    alive_ = false;
+    return "fuzzed: " + what;
+  }
 
 private:
   /// A word becomes another, or what is last goes, or more comes.

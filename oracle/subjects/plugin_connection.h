@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include <oracle/subjects/subject.h>
 #include <oracle/subjects/subject_protocol.h>
 
 namespace lightcuts::oracle {
@@ -21,9 +22,13 @@ public:
                                                        std::span<const std::byte> payload,
                                                        std::uint64_t most,
                                                        std::string about = {}) = 0;
-  /// Ends the connection for what was answered, which cannot be read: throws SubjectFailure.
-  [[noreturn]] virtual void refuse(const std::string& what) = 0;
+  /// Ends the connection for what was answered, which cannot be read.
+  [[noreturn]] void refuse(const std::string& what) { throw SubjectFailure(ended(what)); }
   [[nodiscard]] virtual bool is_alive() const = 0;
+
+protected:
+  /// Ends the connection; returns what is to be said of it.
+  virtual std::string ended(const std::string& what) = 0;
 };
 
 /// Connections to one plug-in, each for one tree at a time. Used by many threads.

@@ -49,8 +49,10 @@ public:
   [[nodiscard]] std::span<const std::byte> ask(protocol::Request request,
                                                std::span<const std::byte> payload,
                                                std::uint64_t most, std::string about = {}) override;
-  [[noreturn]] void refuse(const std::string& what) override;
   [[nodiscard]] bool is_alive() const override { return pid_ > 0; }
+
+protected:
+  std::string ended(const std::string& what) override;
 
 private:
   class Deadline;
@@ -62,7 +64,6 @@ private:
   void wait_for(short event, Deadline& deadline);
   void read_printed();
   [[noreturn]] void fail_by_death();
-  [[noreturn]] void fail(const std::string& what);
   [[nodiscard]] std::string place() const;
   [[nodiscard]] std::string refused_memory() const;
   void kill();
