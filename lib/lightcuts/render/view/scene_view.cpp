@@ -11,13 +11,24 @@
 
 namespace lightcuts {
 
+namespace {
+
+constexpr std::size_t most_triangles = 1 << 17; // a block's start looks at each
+
+}
+
 SceneView::SceneView(const Scene& scene)
-    : SceneView(scene, std::make_shared<const Occluder>(scene.mesh), scene.camera,
-                scene.image_size) {}
+    : SceneView(scene, std::make_shared<const Occluder>(scene.mesh), nullptr, scene.camera,
+                scene.image_size) {
+  const bool has_shafts = may_occlude_ && scene.mesh.triangles.size() <= most_triangles;
+  triangles_ = std::make_shared<const TriangleTree>(has_shafts ? scene.mesh : TriangleMesh());
+}
 
 SceneView::SceneView(const Scene& scene, std::shared_ptr<const Occluder> occluder,
-                     const Camera& camera, glm::uvec2 size)
-    : scene_(&scene), occluder_(std::move(occluder)), size_(size), camera_(camera, size),
+                     std::shared_ptr<const TriangleTree> triangles, const Camera& camera,
+                     glm::uvec2 size)
+    : scene_(&scene), occluder_(std::move(occluder)), triangles_(std::move(triangles)), size_(size),
+      camera_(camera, size),
       may_occlude_(!encloses_lights_convexly(scene.mesh, scene.lights, camera.position)),
       out_of_scene_(round_down(2 * diagonal_length(scene_bounds(scene.mesh)))) {}
 
