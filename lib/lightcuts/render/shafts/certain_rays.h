@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -12,10 +13,11 @@ namespace lightcuts {
 
 /// Where the shadow rays of a block start, and the box that has the lights to which they go.
 struct RayEnds {
-  std::vector<glm::dvec3> origins; ///< one at least
-  Box from = Box::empty();         ///< around these, floats as they are
-  Box to = Box::empty();           ///< of the lights
-  double longest = 0;              ///< no ray is longer, metres
+  std::vector<glm::dvec3> origins;     ///< one at least
+  Box from = Box::empty();             ///< around these, floats as they are
+  std::array<glm::dvec3, 8> corners{}; ///< of a box around these that is turned as they lie
+  Box to = Box::empty();               ///< of the lights
+  double longest = 0;                  ///< no ray is longer, metres
 
   void start_at(std::span<const glm::vec3> points);
   void end_in(const Box& lights);
