@@ -41,10 +41,14 @@ double safe_sine(const FlatTriangle& t, double v, double separation) {
   return v * t.slimness * (nearness / separation + turning / t.longest);
 }
 
-/// Below that, 0 <= t <= far means that both ends are this close to the plane: heights T at the
-/// start and T' at the end have |T| <= |T - T'| + 2m <= sin f V + 2m, |T'| <= 2 sin f V + 2m.
+/// Where a ray that is so far from a triangle is taken for blocked, sin f is at most 112u V A / it
+/// by (1), A of the rounded corners being a third larger at most, for h >= 16u V. It meets the
+/// plane, within the 30u V A by which t is off, between its ends: its start is this close to the
+/// plane, and its end within twice as much.
 double edge_on_margin(const FlatTriangle& t, double v, double separation) {
-  return 2 * safe_sine(t, v, separation) * v + 3 * plane_margin(t, v);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!(t.longest >= 16 * u * v * t.slimness)) return infinity;
+  return u * v * t.slimness * (112 * v / separation + 30) + plane_margin(t, v);
 }
 
 struct Range {
@@ -218,7 +222,7 @@ bool certainly_missed(const FlatTriangle& triangle, const RayEnds& ends, double 
   const Range y = heights(triangle, ends.to);
   if (separation > 4 * u * v) {
     const double close = edge_on_margin(triangle, v, separation);
-    if (x.least() > close || y.least() > close) return true;
+    if (x.least() > close || y.least() > 2 * close) return true;
     const auto is_apart = [&](const glm::dvec3& p) { return std::abs(triangle.height(p)) > close; };
     if (std::all_of(ends.origins.begin(), ends.origins.end(), is_apart)) return true;
     const double apart = std::max(x.lo - y.hi, y.lo - x.hi);
