@@ -66,7 +66,9 @@ TEST(ProvenVisibility, IsNotAskedOfButCertified) {
     WallProver prover(lit.points, edge);
     const auto cuts = lit.cuts(&prover), without = unproven.cuts(nullptr);
     EXPECT_GT(prover.asked, 0);
-    if (edge < 0) EXPECT_EQ(lit.rays, 0) << "all is seen";
+    if (edge < 0) {
+      EXPECT_EQ(lit.rays, 0) << "all is seen";
+    }
     EXPECT_LT(lit.rays, unproven.rays);
     for (std::uint32_t p = 0; p < 64; ++p) {
       const glm::dvec3 exact =
