@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
   cli::add_info_command(app, chosen);
   cli::add_scenes_command(app, chosen);
   cli::add_stress_command(app, chosen);
+  cli::add_errors_command(app, chosen);
   cli::add_replay_command(app, chosen);
   cli::add_new_subject_command(app, chosen);
   // CLI11 says only that a command is missing.

@@ -25,6 +25,21 @@ TEST(ScenesCommand, ListsThemAsJson) {
   EXPECT_EQ(result["scenes"][0]["name"], "desk");
 }
 
+TEST(ErrorsCommand, ComparesSumsWithWhatTheyCanBeOff) {
+  const Outcome outcome = OracleProcess().run({"errors", "--lights", "2e5", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const auto sums = nlohmann::json::parse(outcome.out)["sums"];
+  ASSERT_EQ(sums.size(), 6U); // 10 to 10^5, and 2 10^5
+  EXPECT_EQ(sums[5]["lights"], 200'000);
+  for (const auto& row : sums) {
+    EXPECT_LE(row["float"], row["most_in_float"]);
+    EXPECT_LE(row["double"], row["most_in_double"]);
+    EXPECT_LE(row["compensated"], row["most_compensated"]);
+  }
+  EXPECT_GT(sums[5]["float"], sums[5]["double"]);
+  EXPECT_GT(sums[5]["double"], sums[5]["compensated"]);
+}
+
 TEST(InfoCommand, SaysWhatIsNeededAndLeftOut) {
   const Outcome outcome = OracleProcess().run({"info", "cloud?lights=20&blocks=0"});
   EXPECT_EQ(outcome.exit_code, 0);
