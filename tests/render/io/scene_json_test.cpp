@@ -8,7 +8,7 @@
 #include <lightcuts/render/images/film.h>
 #include <lightcuts/render/io/open_scene.h>
 #include <lightcuts/render/lighting/area_lights.h>
-#include <lightcuts/render/lighting/environment_lights.h>
+#include <lightcuts/render/lighting/environment/environment_lights.h>
 #include <lightcuts/render/lighting/light_generator.h>
 #include <lightcuts/render/lighting/surfels.h>
 #include <lightcuts/render/lighting/virtual_point_lights.h>

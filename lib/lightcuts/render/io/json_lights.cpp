@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 #include <lightcuts/render/lighting/area_lights.h>
-#include <lightcuts/render/lighting/environment_lights.h>
+#include <lightcuts/render/lighting/environment/environment_lights.h>
 #include <lightcuts/render/lighting/light_generator.h>
 #include <lightcuts/render/lighting/light_kinds.h>
 #include <lightcuts/render/lighting/surfels.h>

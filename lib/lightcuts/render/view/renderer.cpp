@@ -49,6 +49,15 @@ bool wants_any(const Task& task, const PixelRect& rect) {
   return false;
 }
 
+/// Of a square's pixels, those that see no surface.
+void store_beyond(const Task& task, const PixelRect& rect, const PixelSquare& square) {
+  for (unsigned y = rect.lo.y; y < rect.hi.y; ++y)
+    for (unsigned x = rect.lo.x; x < rect.hi.x; ++x)
+      if (const glm::uvec2 pixel(x, y);
+          task.wants(pixel) && std::ranges::find(square.pixels, pixel) == square.pixels.end())
+        task.picture.emission[std::size_t(y) * task.view.size().x + x] = task.view.beyond(pixel);
+}
+
 /// What the task's method lights with; a cut's kernel may know whether anything occludes.
 LighterConfig lighter_config(const Task& task) {
   const RenderConfig& config = task.config;
@@ -77,7 +86,10 @@ void render_tiles(const Task& task) {
     const auto start = Clock::now();
     const std::size_t i = std::size_t(pixel.y) * size.x + pixel.x;
     const auto p = task.view.at(pixel);
-    if (!p) return;
+    if (!p) {
+      task.picture.emission[i] = task.view.beyond(pixel);
+      return;
+    }
     ++surface_pixels;
     const auto visible = [&](std::uint32_t light) { return task.view.casts_to(*p, light); };
     store(task.picture, i, lighter.light(p->point, i, visible), p->emission);
@@ -115,6 +127,7 @@ void render_tiles(const Task& task) {
       task.picture.microseconds[i] = static_cast<float>(each);
       ++surface_pixels;
     }
+    if (!task.view.scene().backdrops.empty()) store_beyond(task, rect, square);
     if (config.done) config.done(rect);
     return true;
   };

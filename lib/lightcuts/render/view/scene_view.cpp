@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <lightcuts/core/numerics/rounding.h>
+#include <lightcuts/render/lighting/environment/backdrop.h>
 #include <lightcuts/render/scene/bounds.h>
 #include <lightcuts/render/scene/convexity.h>
 #include <lightcuts/render/view/surface_material.h>
@@ -29,6 +30,13 @@ std::optional<VisiblePoint> SceneView::at(glm::uvec2 pixel) const {
   return VisiblePoint{
       ShadingPoint(s.position, s.shading_normal, -direction, material_at(*scene_, *hit)),
       s.ray_origin, emission_at(*scene_, *hit)};
+}
+
+glm::vec3 SceneView::beyond(glm::uvec2 pixel) const {
+  glm::dvec3 sum(0);
+  for (const auto& backdrop : scene_->backdrops)
+    sum += glm::dvec3(backdrop->radiance(camera_.direction(pixel)));
+  return {to_float(sum.x), to_float(sum.y), to_float(sum.z)};
 }
 
 } // namespace lightcuts

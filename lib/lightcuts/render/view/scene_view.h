@@ -32,6 +32,11 @@ public:
     return {*scene_, occluder_, camera, size};
   }
 
+  /// The same mesh in another scene, which has other lights, as the same camera sees it.
+  [[nodiscard]] SceneView relit(const Scene& scene) const {
+    return {scene, occluder_, scene.camera, size_};
+  }
+
   [[nodiscard]] const Scene& scene() const { return *scene_; }
   [[nodiscard]] const Occluder& occluder() const { return *occluder_; }
   [[nodiscard]] glm::uvec2 size() const { return size_; }
@@ -41,6 +46,9 @@ public:
 
   /// The surface seen at the centre of the pixel, if any.
   [[nodiscard]] std::optional<VisiblePoint> at(glm::uvec2 pixel) const;
+
+  /// Radiance from beyond all surfaces through the centre of the pixel, W/(m^2 sr).
+  [[nodiscard]] glm::vec3 beyond(glm::uvec2 pixel) const;
 
   /// Whether light i is seen from the point.
   [[nodiscard]] bool sees(const VisiblePoint& from, std::uint32_t light) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/lighting/environment_lights.h>
+#include <lightcuts/render/lighting/environment/environment_lights.h>
 
 #include <cmath>
 #include <numbers>

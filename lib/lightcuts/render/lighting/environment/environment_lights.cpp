@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/render/lighting/environment_lights.h>
+#include <lightcuts/render/lighting/environment/environment_lights.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <queue>
@@ -14,6 +15,7 @@
 
 #include <lightcuts/render/files/text.h>
 #include <lightcuts/render/images/channels.h>
+#include <lightcuts/render/lighting/environment/backdrop.h>
 #include <lightcuts/render/lighting/circle.h>
 #include <lightcuts/render/lighting/config_check.h>
 #include <lightcuts/render/scene/append_lights.h>
@@ -39,11 +41,11 @@ struct Rectangle {
 /// The map on the sphere.
 class Sky {
 public:
-  explicit Sky(const EnvironmentMap& map) : map_(map) {
+  Sky(const EnvironmentMap& map, double turn) : map_(map) {
     for (std::uint32_t y = 0; y < map.size.y; ++y)
       polar_.push_back(on_unit_circle((y + 0.5) / (2.0 * map.size.y)));
     for (std::uint32_t x = 0; x < map.size.x; ++x)
-      longitude_.push_back(on_unit_circle(0.5 - (x + 0.5) / map.size.x));
+      longitude_.push_back(on_unit_circle(0.5 - (x + 0.5) / map.size.x + turn / 360));
     // cos a - cos b = 2 sin((a + b)/2) sin((b - a)/2) for the upper and lower edge of a row.
     row_scale_ = 4 * std::numbers::pi / map.size.x * on_unit_circle(0.25 / map.size.y).y;
   }
@@ -150,7 +152,11 @@ void add_environment_lights(Scene& scene, const EnvironmentMap& map,
                             const EnvironmentLights& config) {
   require_within("environment lights", "count", config.count, 1, EnvironmentLights::max_count);
   validate(map);
-  const Sky sky(map);
+  if (!(std::abs(config.turn) <= 360))
+    throw InputError(
+        InputFault::out_of_domain,
+        fmt::format("environment lights: turn is {}, expected -360 to 360 degrees", config.turn));
+  const Sky sky(map, config.turn);
   LightSet made; // so that a refusal adds none
   glm::dvec3 total(0);
   try {
@@ -162,6 +168,7 @@ void add_environment_lights(Scene& scene, const EnvironmentMap& map,
     throw InputError(error.fault(), fmt::format("{}: {}", map.name, error.what()));
   }
   append(made, scene.lights);
+  if (config.visible) scene.backdrops.push_back(std::make_shared<Backdrop>(map, config.turn));
   scene.notes.insert(scene.notes.end(), map.notes.begin(), map.notes.end());
   scene.notes.push_back(fmt::format("{} from {}, {:.4g} W/m^2 from all directions",
                                     counted(made.size(), "directional light"), map.name,
