@@ -55,6 +55,11 @@ std::string axis_text(const Light& light) {
   if (light.kind == LightKind::spot)
     text += line("  cosines of rims",
                  fmt::format("{:.9g} and {:.9g}", light.cos_inner, light.cos_outer));
+  if (light.kind == LightKind::profile)
+    text += line("  horizontal angle 0", text_of(light.plane)) +
+            line("  vertical angles, half-planes",
+                 fmt::format("{} and {}", light.profile.table().rows(),
+                             light.profile.table().planes()));
   return text;
 }
 

@@ -34,7 +34,8 @@ TEST(SubjectOption, JudgesAForeignTree) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("All properties hold."),
-                    HasSubstr("not judged: occlusion, pictures, random cuts, block bounds "
+                    HasSubstr("not judged: occlusion, pictures, random cuts, block bounds, "
+                              "lights with profiles "
                               "(brute tree (libbrute_tree.so) does not offer them)")));
 }
 
@@ -45,7 +46,8 @@ TEST(SubjectOption, TellsWhatWasNotJudged) {
   EXPECT_EQ(result["subject"], plugin_file("only_bounds").string());
   EXPECT_THAT(result["not_judged"],
               ElementsAre("lower bounds", "estimates", "cuts", "sampling", "refinement order",
-                          "occlusion", "pictures", "random cuts", "block bounds"));
+                          "occlusion", "pictures", "random cuts", "block bounds",
+                          "lights with profiles"));
 }
 
 TEST(SubjectOption, ConvictsInOnePiece) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <lightcuts/core/kinds/spot.h>
+#include <lightcuts/core/kinds/rim_distance.h>
 
 #include <lightcuts/core/numerics/expansion.h>
 
-namespace lightcuts {
+namespace lightcuts::detail {
 
-// With p = a.d, L = |a| |d| and c = cos_outer: p/L - c = (p^2 - c^2 L^2) / (L (p + c L)), of which
+// With p = a.d, L = |a| |d| and c = rim: p/L - c = (p^2 - c^2 L^2) / (L (p + c L)), of which
 // only the numerator cancels. It is a sum of products of six floats: no bit is below 2^-894.
-double Spot::exact_rim_distance(const Light& light, const glm::vec3& x) {
-  const glm::vec3 &a = light.axis, &y = light.position;
+double exact_rim_distance(const glm::vec3& axis, const glm::vec3& position, const glm::vec3& x,
+                          float rim) {
+  const glm::vec3 &a = axis, &y = position;
   Expansion<6> p;
   Expansion<3> axis2;
   Expansion<9> distance2;
@@ -26,10 +27,10 @@ double Spot::exact_rim_distance(const Light& light, const glm::vec3& x) {
   Expansion<2 * 6 * 6 + 2 * 2 * 3 * 9> numerator;
   for (const double u : p.terms())
     for (const double v : p.terms()) numerator.add_product(u, v);
-  const double c = light.cos_outer;
+  const double c = rim;
   for (const double u : length2.terms()) numerator.add_product(-c * c, u);
   const double length = std::sqrt(length2.rounded());
   return numerator.rounded() / (length * (p.rounded() + c * length));
 }
 
-} // namespace lightcuts
+} // namespace lightcuts::detail
