@@ -7,6 +7,7 @@
 
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/render/files/output_folder.h>
+#include <oracle/options/program.h>
 #include <viz/gl/context/gl_error.h>
 #include <viz/options.h>
 #include <viz/panels/app/offscreen.h>
@@ -14,9 +15,6 @@
 
 namespace lightcuts::viz {
 namespace {
-
-/// Exit codes; those of lightcuts-oracle.
-enum Exit { done = 0, usage = 2, bad_input = 3, internal_error = 4 };
 
 void begin(App& app, const Options& options) {
   app.workbench().state = options.view;
@@ -48,7 +46,7 @@ int take_screenshot(const Options& options) {
   write_png(file, offscreen.size(), offscreen.screenshot());
   if (!complete)
     fmt::print(stderr, "{}: not all was there after {:g} s\n", file.string(), options.wait);
-  return done;
+  return options::all_holds;
 }
 
 int show_window(const Options& options) {
@@ -62,7 +60,7 @@ int show_window(const Options& options) {
         begin(app, options);
       },
       [&](const AppSettings& left) { save_settings(left, folder); });
-  return done;
+  return options::all_holds;
 }
 
 int run(int argc, char** argv) {
@@ -72,7 +70,7 @@ int run(int argc, char** argv) {
   try {
     command.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return command.exit(error) == 0 ? done : usage;
+    return command.exit(error) == 0 ? options::all_holds : options::usage;
   }
   return options.screenshot.empty() ? show_window(options) : take_screenshot(options);
 }
@@ -82,16 +80,11 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace lightcuts;
-  try {
-    return viz::run(argc, argv);
-  } catch (const InputError& error) {
-    fmt::print(stderr, "lightcuts-viz: {}\n", error.what());
-    return viz::bad_input;
-  } catch (const viz::GlError& error) {
-    fmt::print(stderr, "lightcuts-viz: {}\n", error.what());
-    return viz::bad_input;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "lightcuts-viz: internal error: {}\n", error.what());
-    return viz::internal_error;
-  }
+  return options::run_program("lightcuts-viz", [&] {
+    try {
+      return viz::run(argc, argv);
+    } catch (const viz::GlError& error) {
+      throw InputError(InputFault::unsupported, error.what());
+    }
+  });
 }

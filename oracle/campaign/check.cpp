@@ -180,6 +180,9 @@ private:
       check_beside_light(w, i);
       return;
     }
+    if (is_of_block(i))
+      Judge(subject_.parts(), i, w.tally)
+          .block({*w.tree, subject_.parts()}, *topology_, lights_, block_at(view_, config_, i));
     if (i % points_per_full_check != 0 && sweep(w, i, p.point)) return;
     for (std::uint32_t j = 0; j < w.visible.size(); ++j) w.visible[j] = view_.sees(p, j) ? 1 : 0;
     w.truth.evaluate(*topology_, lights_, p.point, w.visible);

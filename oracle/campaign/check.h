@@ -48,12 +48,19 @@ inline constexpr std::uint64_t points_per_beside_light = 8;
   return place % points_per_beside_light == points_per_beside_light / 2;
 }
 
+/// One shading point in so many is bounded together with its neighbours, too, of subjects that
+/// bound blocks: see block_at().
+inline constexpr std::uint64_t points_per_block = 32;
+[[nodiscard]] constexpr bool is_of_block(std::uint64_t place) {
+  return place % points_per_block == 1;
+}
+
 /// Judges the subject on the scene: every property of the tree and of the materials; every cluster
 /// and several cuts at shading points chosen at random among the pixels that see a surface, and
-/// beside lights; shadow rays from there; and excerpts of few lights. Goes on from `done`, an
-/// earlier result of the same scene, subject and configuration but for `pairs` and `seconds`. Same
-/// inputs, same counts, for any number of threads, and however often it was interrupted. Throws
-/// InputError if the camera sees nothing.
+/// beside lights; clusters from blocks of neighbouring pixels; shadow rays from there; and excerpts
+/// of few lights. Goes on from `done`, an earlier result of the same scene, subject and
+/// configuration but for `pairs` and `seconds`. Same inputs, same counts, for any number of
+/// threads, and however often it was interrupted. Throws InputError if the camera sees nothing.
 [[nodiscard]] CheckResult check(const SceneView& view, const Subject& subject,
                                 const CheckConfig& config, const CheckResult& done = {});
 

@@ -66,7 +66,7 @@ std::vector<Material> materials(Dice& dice) {
 double stated_error(const Lobe& lobe, LightKind kind) {
   double error = 0x1p-34;
   if (kind == LightKind::oriented) error += 0x1p-34;
-  if (kind == LightKind::spot) error += 0x1p-31;
+  if (kind == LightKind::spot || kind == LightKind::profile) error += 0x1p-31;
   if (std::holds_alternative<Phong>(lobe)) error += 0x1p-28;
   if (std::holds_alternative<Ward>(lobe)) error += 0x1.ap-28; // 2^-27.3
   if (std::holds_alternative<CookTorrance>(lobe)) error += 0x1p-30;

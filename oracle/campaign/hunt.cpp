@@ -56,6 +56,7 @@ HuntResult hunt(const Subject& subject, const HuntConfig& config) {
     const std::uint32_t many = many_lights_at(index);
     if (many > 0 && !ladder.dares(many)) continue;
     const Case on = random_case(config.seed, index);
+    if (!takes(subject.parts(), on.lights)) continue;
     Tally tally;
     const double begun = clock();
     check_case(subject, on, index, tally);

@@ -7,11 +7,16 @@
 #include <vector>
 
 #include <oracle/campaign/beside_light.h>
+#include <oracle/cases/blocks.h>
 #include <oracle/cases/random_pixels.h>
 
 namespace lightcuts::oracle {
 
 namespace {
+
+gen::View view_of(const ShadingPoint& p) {
+  return {p.position(), p.normal(), p.to_viewer(), p.material()};
+}
 
 Case case_of_lights(const SceneView& view, const CheckConfig& config, std::uint64_t place,
                     std::span<const std::uint32_t> chosen) {
@@ -19,8 +24,7 @@ Case case_of_lights(const SceneView& view, const CheckConfig& config, std::uint6
   const VisiblePoint p = random_point(view, config.seed, place);
   Case c;
   c.min_distance = lights.min_distance();
-  CaseView seen{{p.point.position(), p.point.normal(), p.point.to_viewer(), p.point.material()},
-                {}};
+  CaseView seen{view_of(p.point), {}};
   for (const std::uint32_t i : chosen) {
     if (!view.sees(p, i)) seen.hidden.push_back(std::uint32_t(c.lights.size()));
     c.lights.push_back(lights[i]);
@@ -37,7 +41,23 @@ gen::View view_beside_light_at(const SceneView& view, const Topology& topology,
                                const CheckConfig& config, std::uint64_t place) {
   const ShadingPoint p = random_point(view, config.seed, place).point;
   return view_beside_light(view.scene().lights, topology, hashed(config.seed + 4, place),
-                           {p.position(), p.normal(), p.to_viewer(), p.material()});
+                           view_of(p));
+}
+
+Case block_at(const SceneView& view, const CheckConfig& config, std::uint64_t place) {
+  const SeenPixel seen = random_pixel(view, config.seed, place);
+  Case block;
+  block.views.push_back({view_of(seen.point.point), {}});
+  const unsigned step = 1U << hashed(config.seed + 5, place) % 4;
+  for (const glm::uvec2 apart : {glm::uvec2(step, 0), glm::uvec2(0, step), glm::uvec2(step)}) {
+    const glm::uvec2 pixel = seen.pixel + apart;
+    if (pixel.x >= view.size().x || pixel.y >= view.size().y) continue;
+    const auto neighbour = view.at(pixel);
+    if (!neighbour) continue;
+    block.views.push_back({view_of(neighbour->point), {}});
+    if (!is_block(block)) block.views.pop_back();
+  }
+  return block;
 }
 
 Case case_of(const Subject& subject, const SceneView& view, const CheckConfig& config,
@@ -45,6 +65,10 @@ Case case_of(const Subject& subject, const SceneView& view, const CheckConfig& c
   std::vector<std::uint32_t> all(view.scene().lights.size());
   std::iota(all.begin(), all.end(), 0U);
   Case c = case_of_lights(view, config, place, all);
+  if (is_of_block(place)) {
+    const Case block = block_at(view, config, place);
+    c.views.insert(c.views.end(), block.views.begin() + 1, block.views.end());
+  }
   if (!is_beside_light(place)) return c;
   const auto tree = subject.build(view.scene().lights, config.tree_seed);
   const TopologyReading reading = read_topology(tree->claim(), all.size());

@@ -14,9 +14,14 @@ namespace lightcuts::oracle {
 [[nodiscard]] gen::View view_beside_light_at(const SceneView& view, const Topology& topology,
                                              const CheckConfig& config, std::uint64_t place);
 
+/// The shading point that check() visits at the place and up to three that pixels beside it see,
+/// 1 to 8 pixels apart in either direction, as far as they can be bounded together: views without
+/// lights.
+[[nodiscard]] Case block_at(const SceneView& view, const CheckConfig& config, std::uint64_t place);
+
 /// The shading point that check() visits at the place, with all lights of the scene; those that are
-/// not seen from there are hidden. Beside a light, the subject builds its tree for it, and all are
-/// seen.
+/// not seen from there are hidden. Its neighbours in a block, if it is_of_block(), see all. Beside
+/// a light, the subject builds its tree for it, and all are seen.
 [[nodiscard]] Case case_of(const Subject& subject, const SceneView& view, const CheckConfig& config,
                            std::uint64_t place);
 

@@ -91,12 +91,26 @@ Case picture(Dice& dice) {
   return c;
 }
 
+/// From the last view on: what was seen before is not any more.
+void hide_some(Dice& dice, Case& c) {
+  c.cut.unoccluded = false;
+  c.views.back().hidden.clear();
+  for (std::uint32_t i = 0; i < c.lights.size(); ++i)
+    if (dice.one_in(4)) c.views.back().hidden.push_back(i);
+}
+
 /// Of moderate scales, so that the mean of not too many draws is near the truth.
 Case lottery(Dice& dice) {
   Case c;
   c.draws = true;
   const LightKind kind = dice.pick({LightKind::omni, LightKind::oriented, LightKind::directional});
-  const int count = dice.between(2, 8);
+  int count = dice.between(2, 8), clusters = 3;
+  // What goes wrong on the way down to a light takes some levels of the tree, and what goes wrong
+  // from cluster to cluster some of these.
+  if (Dice aside = dice.aside(); aside.one_in(3)) {
+    count = aside.between(16, 40);
+    clusters = aside.between(1, 12);
+  }
   for (int i = 0; i < count; ++i) {
     Light light;
     light.kind = dice.one_in(8) ? LightKind::omni : kind;
@@ -110,8 +124,9 @@ Case lottery(Dice& dice) {
   c.views.push_back({{}, {}});
   if (dice.one_in(2)) c.views[0].view.material.lobe = Phong{glm::vec3(0.3F), 2};
   if (dice.one_in(3)) c.views[0].hidden = {std::uint32_t(dice.below(count))};
-  c.cut = {0.02F, std::uint32_t(dice.between(1, 3)), 0};
+  c.cut = {0.02F, std::uint32_t(clusters == 3 ? dice.between(1, 3) : clusters), 0};
   c.seed = dice.bits() % 1000;
+  if (Dice aside = dice.aside(); count > 8) hide_some(aside, c);
   return c;
 }
 
@@ -173,6 +188,27 @@ gen::View view_beside(Dice& dice, const std::vector<Light>& lights) {
   return view;
 }
 
+/// All but one of the lights shine one way, in narrow cones; that one shines the other way, and the
+/// first view sees it from there, so near that it outshines all others.
+void turn_one_round(Dice& dice, Case& c) {
+  const glm::vec3 away = dice.unit_vector();
+  for (Light& light : c.lights) {
+    light.axis = glm::vec3(glm::normalize(glm::dvec3(away) + 1e-3 * glm::dvec3(dice.in_cube())));
+    light.cos_inner = 1;
+    light.cos_outer = 0.9F;
+  }
+  Light& other = c.lights[notable_light(dice, c.lights)];
+  other.axis = -away;
+  gen::View& view = c.views.front().view;
+  for (int i = 0; i < 3; ++i) {
+    const double scale = std::max(1e-3, std::abs(double(other.position[i])));
+    view.position[i] =
+        Dice::finite(double(other.position[i]) - std::ldexp(scale * away[i], -dice.between(1, 12)));
+  }
+  const glm::dvec3 back = glm::dvec3(other.position) - glm::dvec3(view.position);
+  if (glm::length(back) > 0) view.normal = glm::vec3(glm::normalize(back));
+}
+
 /// Lights of one kind: of any place, on a lattice with ties, or on a line over 60 scales, on which
 /// trees of a few hundred are as deep as they are large.
 Case multitude(Dice& dice, std::uint32_t count) {
@@ -198,6 +234,9 @@ Case multitude(Dice& dice, std::uint32_t count) {
   c.seed = dice.bits() % 1000;
   c.cut = random_cut(dice, int(std::min<std::uint32_t>(count, 1000)));
   for (int i = 0; i < 2; ++i) c.views.push_back({view_beside(dice, c.lights), {}});
+  Dice aside = dice.aside();
+  if (has_axis(kind) && aside.one_in(2)) turn_one_round(aside, c);
+  if (aside.one_in(2)) hide_some(aside, c);
   return c;
 }
 
@@ -212,6 +251,15 @@ void add_history(Dice& dice, Case& c, std::uint32_t questions) {
 }
 
 } // namespace
+
+Case small_case(Dice& dice) {
+  Dice aside = dice.aside();
+  Case c = lights_and_views(dice);
+  if (aside.one_in(4)) make_block(aside, c);
+  return c;
+}
+
+Case picture_case(Dice& dice) { return picture(dice); }
 
 Case random_case(std::uint64_t seed, std::uint64_t index) {
   Dice dice(hashed(seed, index));

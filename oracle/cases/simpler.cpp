@@ -58,6 +58,12 @@ std::vector<Light> simpler(const Light& light) {
   std::vector<Light> list;
   if (light.kind != LightKind::omni && light.kind != LightKind::directional)
     list.push_back({.position = light.position, .intensity = light.intensity});
+  if (light.kind == LightKind::profile && light.axis != glm::vec3(0, 0, 1)) {
+    Light upright = light;
+    upright.axis = {0, 0, 1};
+    upright.plane = {1, 0, 0};
+    list.push_back(upright);
+  }
   for (const Light& simpler : oracle::simpler_values(light))
     if (is_cone(simpler)) list.push_back(simpler);
   return list;

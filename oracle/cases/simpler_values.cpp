@@ -46,4 +46,30 @@ std::vector<std::vector<Light>> simpler_values(const std::vector<Light>& value,
   return list;
 }
 
+std::vector<Profile> simpler_values(const Profile& value, const Profile& usual,
+                                    const Domain& /*domain*/) {
+  std::vector<Profile> list;
+  if (value == usual) return list;
+  list.push_back(usual);
+  const ProfileTable& table = value.table();
+  const auto add = [&](ProfileTable simpler) {
+    if (simpler != table) list.emplace_back(std::move(simpler));
+  };
+  add({table.cosines, {1}, {0}, {table.shares.begin(), table.shares.begin() + table.rows()}});
+  for (std::size_t row = 1; row + 1 < table.rows(); ++row) {
+    ProfileTable fewer = table;
+    fewer.cosines.erase(fewer.cosines.begin() + std::ptrdiff_t(row));
+    for (std::size_t plane = table.planes(); plane-- > 0;)
+      fewer.shares.erase(fewer.shares.begin() + std::ptrdiff_t(plane * table.rows() + row));
+    add(fewer);
+  }
+  for (std::size_t i = 0; i < table.shares.size(); ++i)
+    for (const float share : simpler_values(table.shares[i], 0, domain::within(0, 1))) {
+      ProfileTable rounder = table;
+      rounder.shares[i] = share;
+      add(rounder);
+    }
+  return list;
+}
+
 } // namespace lightcuts::oracle

@@ -45,6 +45,10 @@ simpler_values(const std::vector<std::uint32_t>& value, const std::vector<std::u
                                                              const std::vector<Light>& usual,
                                                              const Domain& domain);
 
+/// Alike everywhere, in all half-planes, or with fewer vertical angles or rounder shares.
+[[nodiscard]] std::vector<Profile> simpler_values(const Profile& value, const Profile& usual,
+                                                  const Domain& domain);
+
 /// Copies of the record that differ from it by one field's being as `usual` has it.
 template <Record R>
 [[nodiscard]] std::vector<R> with_usual_fields(const R& record, const R& usual) {

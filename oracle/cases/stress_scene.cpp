@@ -116,6 +116,30 @@ Material material(Dice& dice, const Choice& choice) {
           oracle::radiometry::random_lobe(dice, index)};
 }
 
+/// Profiles by dice aside: the cases without are the same as if there were none.
+LightKind any_kind(Dice& dice) {
+  constexpr int kinds_of_numbers = 4;
+  static_assert(int(LightKind::profile) == kinds_of_numbers && light_kind_count == 5);
+  Dice aside = dice.aside();
+  const auto usual = LightKind(dice.below(kinds_of_numbers));
+  return aside.one_in(light_kind_count) ? LightKind::profile : usual;
+}
+
+/// Luminaires are often of one make, and turned alike.
+void share_profiles(Dice dice, std::vector<Light>& lights) {
+  const int common = dice.below(4);
+  const Light* first = nullptr;
+  for (Light& light : lights) {
+    if (light.kind != LightKind::profile || common > 1) continue;
+    if (first == nullptr) first = &light;
+    light.profile = first->profile;
+    if (common == 1) {
+      light.axis = first->axis;
+      light.plane = first->plane;
+    }
+  }
+}
+
 /// A light's position, or one that takes each coordinate from some light: on faces of the boxes.
 glm::vec3 amid_lights(Dice& dice, const std::vector<Light>& lights) {
   const auto any = [&] { return lights[dice.below(static_cast<int>(lights.size()))].position; };
@@ -231,7 +255,7 @@ Scene make_grazing_scene(Dice& dice, int count, const Choice& choice) {
   const int brightness = dice.below(6);
   for (int i = 0; i < count; ++i) {
     Light light;
-    light.kind = choice.kind ? *choice.kind : LightKind(dice.below(light_kind_count));
+    light.kind = choice.kind ? *choice.kind : any_kind(dice);
     // Turned by what the tangent of h makes of it, for lobes of all widths.
     const double turn = dice.one_in(3) ? 0 : sine * of_scale(dice, dice.between(-18, 4));
     const double higher = dice.one_in(3) ? of_scale(dice, dice.between(-8, 1)) : 1;
@@ -249,6 +273,7 @@ Scene make_grazing_scene(Dice& dice, int count, const Choice& choice) {
   }
   if (choice.clamped ? *choice.clamped : dice.one_in(at_ends ? 2 : 4))
     scene.min_distance = at_ends ? std::ldexp(1.0F, dice.between(110, 127)) : random_clamp(dice);
+  share_profiles(dice.aside(), scene.lights);
   return scene;
 }
 
@@ -278,7 +303,7 @@ Scene make_peak_scene(Dice& dice, int count, const Choice& choice) {
   }
   const glm::vec3 at = finite(x + distance * l);
   const glm::vec3 towards = about_unit(dice, -glm::normalize(l));
-  const LightKind usual = choice.kind ? *choice.kind : LightKind(dice.below(light_kind_count));
+  const LightKind usual = choice.kind ? *choice.kind : any_kind(dice);
   const double apart = std::pow(10.0, -dice.uniform(3, 7));
   const bool dark = dice.one_in(2);
   for (int i = 0; i < count; ++i) {
@@ -288,7 +313,7 @@ Scene make_peak_scene(Dice& dice, int count, const Choice& choice) {
     light.intensity = glm::vec3(dark && i > 0 ? 1e-30F : 1.0F);
     finish(dice, light, view.position);
     if (light.kind == LightKind::directional) light.position = about_unit(dice, glm::normalize(l));
-    if (light.kind == LightKind::oriented || light.kind == LightKind::spot) {
+    if (has_axis(light.kind)) {
       light.axis = towards;
       if (i > 0)
         light.axis = glm::vec3(glm::normalize(glm::dvec3(towards) + apart * random_unit()));
@@ -299,6 +324,7 @@ Scene make_peak_scene(Dice& dice, int count, const Choice& choice) {
     scene.lights.push_back(light);
   }
   if (choice.clamped ? *choice.clamped : dice.one_in(4)) scene.min_distance = random_clamp(dice);
+  share_profiles(dice.aside(), scene.lights);
   return scene;
 }
 
@@ -310,16 +336,15 @@ Scene make_scene(Dice& dice, int count, const Choice& choice) {
   Scene scene;
   scene.view = random_view(dice, choice);
   const auto any_place = [&] { return static_cast<Place>(dice.below(int(Place::count))); };
-  const auto any_kind = [&] { return LightKind(dice.below(light_kind_count)); };
   const Place usual = any_place();
-  const LightKind usual_kind = choice.kind ? *choice.kind : any_kind();
+  const LightKind usual_kind = choice.kind ? *choice.kind : any_kind(dice);
   const glm::vec3 anchor = dice.one_in(4) ? dice.finite_vector() : dice.in_cube();
   const int usual_intensity = dice.below(6);
   for (int i = 0; i < count; ++i) {
     const Place place = dice.one_in(8) ? any_place() : usual;
     const int brightness = dice.one_in(8) ? dice.below(6) : usual_intensity;
     Light light;
-    light.kind = !choice.kind && dice.one_in(8) ? any_kind() : usual_kind;
+    light.kind = !choice.kind && dice.one_in(8) ? any_kind(dice) : usual_kind;
     light.position = position(dice, place, scene.view, anchor);
     light.intensity = intensity(dice, brightness);
     finish(dice, light, scene.view.position);
@@ -327,6 +352,7 @@ Scene make_scene(Dice& dice, int count, const Choice& choice) {
   }
   if (dice.one_in(4)) scene.view.position = amid_lights(dice, scene.lights);
   if (choice.clamped ? *choice.clamped : dice.one_in(4)) scene.min_distance = random_clamp(dice);
+  share_profiles(dice.aside(), scene.lights);
   return scene;
 }
 

@@ -2,7 +2,7 @@
 #include <oracle/cli/campaign_file.h>
 
 #include <cstdint>
-#include <fstream>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -10,6 +10,9 @@
 
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/render/files/output_folder.h>
+#include <lightcuts/render/files/text.h>
+#include <lightcuts/render/io/json/json_element.h>
+#include <lightcuts/render/io/json/json_text.h>
 #include <oracle/cli/common.h>
 
 namespace lightcuts::cli {
@@ -29,28 +32,33 @@ nlohmann::ordered_json json_of(const PropertyCount& count) {
           {"first_violation", count.first_violation}};
 }
 
-PropertyCount count_of(const nlohmann::json& json) {
+std::uint64_t whole(const JsonElement& element) {
+  return element.whole_number(0, std::numeric_limits<std::uint64_t>::max());
+}
+
+PropertyCount count_of(const JsonElement& element) {
   PropertyCount count;
-  json.at("cases").get_to(count.cases);
-  json.at("violations").get_to(count.violations);
-  if (json.at("waste").get<bool>()) count.severity = oracle::Severity::waste;
-  json.at("worst_ratio").get_to(count.worst_ratio);
-  json.at("first_place").get_to(count.first_place);
-  json.at("first_violation").get_to(count.first_violation);
+  count.cases = whole(element["cases"]);
+  count.violations = whole(element["violations"]);
+  if (element["waste"].boolean()) count.severity = oracle::Severity::waste;
+  count.worst_ratio = element["worst_ratio"].wide_number();
+  count.first_place = whole(element["first_place"]);
+  count.first_violation = element["first_violation"].string();
   return count;
 }
 
-oracle::CheckResult result_of(const nlohmann::json& json) {
+oracle::CheckResult result_of(const JsonElement& element) {
   oracle::CheckResult result;
-  json.at("points").get_to(result.points);
-  json.at("pairs").get_to(result.pairs);
-  json.at("rays").get_to(result.rays);
-  json.at("undecided_rays").get_to(result.undecided_rays);
-  json.at("seconds").get_to(result.seconds);
-  json.at("swept_pairs").get_to(result.swept_pairs);
-  json.at("sweep_seconds").get_to(result.sweep_seconds);
+  result.points = whole(element["points"]);
+  result.pairs = whole(element["pairs"]);
+  result.rays = whole(element["rays"]);
+  result.undecided_rays = whole(element["undecided_rays"]);
+  result.seconds = element["seconds"].wide_number();
+  result.swept_pairs = whole(element["swept_pairs"]);
+  result.sweep_seconds = element["sweep_seconds"].wide_number();
+  const JsonElement properties = element["properties"];
   for (const Property p : oracle::all_properties)
-    result.tally[p] = count_of(json.at("properties").at(info(p).name));
+    result.tally[p] = count_of(properties[info(p).name]);
   return result;
 }
 
@@ -61,24 +69,22 @@ CampaignFile::CampaignFile(std::filesystem::path file, nlohmann::ordered_json wh
 
 oracle::CheckResult CampaignFile::load() const {
   if (!std::filesystem::exists(file_)) return {};
-  std::ifstream in(file_);
-  if (!in) throw InputError(InputFault::unreadable_file, file_.string() + ": cannot be read");
-  try {
-    const nlohmann::json json = nlohmann::json::parse(in);
-    if (json.at("schema") != schema)
-      throw InputError(InputFault::unsupported,
-                       file_.string() + ": is of another version of lightcuts-oracle");
-    for (const auto& [name, value] : what_.items())
-      if (json.at("of").at(name) != value)
-        throw InputError(InputFault::inconsistent,
-                         fmt::format("{}: was begun with {} {}, not {}", file_.string(), name,
-                                     json.at("of").at(name).dump(), value.dump()));
-    return result_of(json.at("result"));
-  } catch (const nlohmann::json::exception& e) {
-    throw InputError(
-        InputFault::malformed_file,
-        fmt::format("{}: is not what --resume has written: {}", file_.string(), e.what()));
+  const nlohmann::json json = parse_json(file_.string(), read_file(file_));
+  const JsonElement root(file_.string(), json);
+  if (root["schema"].string() != schema)
+    throw InputError(InputFault::unsupported,
+                     file_.string() + ": is of another version of lightcuts-oracle");
+  const JsonElement of = root["of"];
+  for (const auto& [name, value] : what_.items()) {
+    (void)of[name.c_str()]; // is there
+    if (const nlohmann::json& own = json["of"][name]; own != value)
+      throw InputError(
+          InputFault::inconsistent,
+          fmt::format("{}: was begun with {} {}, not {}", file_.string(), name,
+                      own.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
+                      value.dump()));
   }
+  return result_of(root["result"]);
 }
 
 void CampaignFile::save(const oracle::CheckResult& result) const {

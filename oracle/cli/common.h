@@ -14,6 +14,7 @@
 #include <lightcuts/render/view/scene_view.h>
 #include <nlohmann/json.hpp>
 #include <oracle/campaign/check.h>
+#include <oracle/options/program.h>
 
 namespace CLI {
 class App;
@@ -21,8 +22,9 @@ class App;
 
 namespace lightcuts::cli {
 
-/// Exit codes of lightcuts-oracle.
-enum Exit { all_holds = 0, violated = 1, usage = 2, bad_input = 3, internal_error = 4 };
+using options::all_holds;
+using options::usage;
+using options::violated;
 
 /// Options that several commands have.
 struct CommonOptions {

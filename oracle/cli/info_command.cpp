@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <map>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -7,6 +8,8 @@
 
 #include <lightcuts/core/methods/all_methods.h>
 #include <lightcuts/core/tree/tree_builder.h>
+#include <lightcuts/render/files/text.h>
+#include <lightcuts/render/lighting/profiles/profile_light.h>
 #include <lightcuts/render/scene/bounds.h>
 #include <lightcuts/render/view/method_choice.h>
 #include <oracle/cli/commands.h>
@@ -71,6 +74,27 @@ std::string lights_by_kind(const LightSet& lights) {
   return text.empty() ? "none" : text;
 }
 
+/// Lights with profiles.
+struct LuminaireFacts {
+  std::size_t lights = 0, profiles = 0;
+  glm::dvec3 watts{0}; ///< that they send, per channel
+};
+
+LuminaireFacts luminaires_of(const LightSet& lights) {
+  LuminaireFacts facts;
+  std::map<const ProfileTable*, double> solid_shares;
+  for (const Light& light : lights) {
+    if (light.kind != LightKind::profile) continue;
+    const ProfileTable& table = light.profile.table();
+    const auto [known, is_new] = solid_shares.try_emplace(&table);
+    if (is_new) known->second = solid_share(table);
+    facts.watts += known->second * glm::dvec3(light.intensity);
+    ++facts.lights;
+  }
+  facts.profiles = solid_shares.size();
+  return facts;
+}
+
 std::string table_of(const Scene& scene, const Facts& facts) {
   const glm::vec3& lo = facts.box.lo;
   const glm::vec3& hi = facts.box.hi;
@@ -79,6 +103,11 @@ std::string table_of(const Scene& scene, const Facts& facts) {
       "{} x {}\nbox          ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n",
       scene.name, scene.mesh.triangles.size(), scene.surfaces.size(), lights_by_kind(scene.lights),
       scene.image_size.x, scene.image_size.y, lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
+  if (const LuminaireFacts l = luminaires_of(scene.lights); l.lights > 0)
+    text += fmt::format("luminaires   {} of {}, which send {:.4g}, {:.4g}, {:.4g} W\n", l.lights,
+                        counted(l.profiles, "profile"), l.watts.r, l.watts.g, l.watts.b);
+  for (const LightGroup& group : scene.groups)
+    text += fmt::format("group        {}: {}\n", group.name, counted(group.count, "light"));
   text += fmt::format("camera       --camera {}\n", options::camera_text(scene.camera));
   if (facts.emissive > 0)
     text +=
@@ -100,6 +129,7 @@ std::string table_of(const Scene& scene, const Facts& facts) {
 }
 
 std::string json_of(const CommonOptions& options, const Scene& scene, const Facts& facts) {
+  const LuminaireFacts luminaires = luminaires_of(scene.lights);
   const nlohmann::ordered_json json{
       {"schema", "lightcuts-oracle/info/1"},
       {"scene", options.open.spec},
@@ -107,6 +137,10 @@ std::string json_of(const CommonOptions& options, const Scene& scene, const Fact
       {"triangles", scene.mesh.triangles.size()},
       {"surfaces", scene.surfaces.size()},
       {"lights", scene.lights.size()},
+      {"luminaires",
+       {{"lights", luminaires.lights},
+        {"profiles", luminaires.profiles},
+        {"watts", {luminaires.watts.r, luminaires.watts.g, luminaires.watts.b}}}},
       {"width", scene.image_size.x},
       {"height", scene.image_size.y},
       {"box",

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <lightcuts/core/input_error.h>
 #include <lightcuts/core/tree/tree_builder.h>
+#include <lightcuts/render/files/text.h>
 #include <lightcuts/render/images/image_codec.h>
 #include <lightcuts/render/view/method_choice.h>
 #include <lightcuts/render/view/renderer.h>
@@ -15,6 +17,7 @@
 #include <oracle/cli/progress_line.h>
 #include <oracle/numbers/same_digits.h>
 #include <oracle/options/scene_options.h>
+#include <oracle/report/light_groups.h>
 #include <oracle/report/plots/pictures.h>
 
 namespace lightcuts::cli {
@@ -24,6 +27,7 @@ constexpr const char* any_method = "auto";
 
 struct RenderOptions : CommonOptions {
   std::string method = any_method;
+  bool groups = false;
 };
 
 double mean(const std::vector<float>& values, std::uint64_t count) {
@@ -32,8 +36,49 @@ double mean(const std::vector<float>& values, std::uint64_t count) {
   return count == 0 ? 0 : sum / double(count);
 }
 
+/// Sums over the pixels of all groups.
+struct GroupTotals {
+  double light = 0, certified = 0;
+
+  explicit GroupTotals(const std::vector<oracle::GroupPicture>& groups) {
+    for (const oracle::GroupPicture& group : groups) {
+      light += group.light();
+      certified += group.certified_error();
+    }
+  }
+};
+
+double share_of(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+/// A line for each group: how much of the light it makes, and of what the certified error is.
+std::string table_of(const std::vector<oracle::GroupPicture>& groups) {
+  const GroupTotals totals(groups);
+  std::string text;
+  for (const oracle::GroupPicture& group : groups)
+    text += fmt::format(
+        "group {}: {}, {:.2f} % of the light and {:.2f} % of the certified error, {:.2f} s\n",
+        group.name, counted(group.lights, "light"), 100 * share_of(group.light(), totals.light),
+        100 * share_of(group.certified_error(), totals.certified), group.rendering.seconds);
+  return text;
+}
+
+nlohmann::ordered_json json_of(const std::vector<oracle::GroupPicture>& groups) {
+  const GroupTotals totals(groups);
+  auto list = nlohmann::ordered_json::array();
+  for (const oracle::GroupPicture& group : groups)
+    list.push_back(
+        {{"name", group.name},
+         {"lights", group.lights},
+         {"share_of_light", share_of(group.light(), totals.light)},
+         {"share_of_certified_error", share_of(group.certified_error(), totals.certified)},
+         {"seconds", group.rendering.seconds}});
+  return list;
+}
+
 int run(const RenderOptions& options) {
   const Scene scene = open_lit_scene_for(options);
+  if (options.groups && scene.groups.empty())
+    throw InputError(InputFault::missing, scene.name + ": no light has a group");
   const std::filesystem::path out = output_folder_for(options);
   OutputFolder folder(out);
   (void)image_codec(); // refused before the long job where it cannot be loaded
@@ -59,9 +104,15 @@ int run(const RenderOptions& options) {
     config.progress = line.progress();
     rendering = render(view, tree, config);
   }
-  oracle::write_pictures(
-      {rendering, nullptr, features.black_level, scene.name, options.seed, config.cut.threshold},
-      folder);
+  std::vector<oracle::GroupPicture> groups;
+  if (options.groups) {
+    ProgressLine line("render groups of " + options.open.spec);
+    config.progress = line.progress();
+    groups = oracle::render_groups(view, config, build_config_for(options));
+  }
+  oracle::write_pictures({rendering, nullptr, features.black_level, scene.name, options.seed,
+                          config.cut.threshold, groups},
+                         folder);
   folder.commit();
 
   if (rendering.surface_pixels == 0)
@@ -78,11 +129,13 @@ int run(const RenderOptions& options) {
                                     {"mean_cut_size", cut_size},
                                     {"shadow_rays_per_pixel", rays},
                                     {"light_tree", uses_tree},
+                                    {"groups", json_of(groups)},
                                     {"folder", out.string()}};
   const std::string table = fmt::format(
-      "{}, {}: {:.2f} s, {:.1f} of {} lights and {:.1f} shadow rays per pixel{}\nwritten to {}\n",
+      "{}, {}: {:.2f} s, {:.1f} of {} lights and {:.1f} shadow rays per pixel{}\n{}written to {}\n",
       scene.name, config.method->name, rendering.seconds, cut_size, scene.lights.size(), rays,
-      uses_tree || !config.method->cuts ? "" : " (no light tree: it would not pay)", out.string());
+      uses_tree || !config.method->cuts ? "" : " (no light tree: it would not pay)",
+      table_of(groups), out.string());
   print_results(options, table, text_of(json));
   return all_holds;
 }
@@ -105,6 +158,8 @@ void add_render_command(CLI::App& app, Action& chosen) {
                    "how pixels are lit; auto: what is expected to be soonest, see info")
       ->check(CLI::IsMember(methods))
       ->capture_default_str();
+  command->add_flag("--groups", options->groups,
+                    "render each group of lights by itself, too; default: the whole only");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -19,7 +19,9 @@
 namespace lightcuts::cli {
 namespace {
 
-struct StressOptions : CommonOptions, SubjectOptions {};
+struct StressOptions : CommonOptions, SubjectOptions {
+  bool catalogue = false; ///< the named cases in place of random ones
+};
 
 oracle::HuntResult hunted(const StressOptions& options, const oracle::Subject& subject) {
   oracle::HuntConfig config;
@@ -80,6 +82,7 @@ std::string json_of(const StressOptions& options, const oracle::Subject& subject
 }
 
 int run(const StressOptions& options) {
+  if (options.catalogue) return run_catalogue(options, options);
   require_writable_json(options);
   const std::unique_ptr<oracle::Subject> subject = subject_for(options);
   const oracle::HuntResult result = hunted(options, *subject);
@@ -103,6 +106,10 @@ void add_stress_command(CLI::App& app, Action& chosen) {
   command->add_option("--cases", options->cases, "random cases at most, such as 1000000 or 1e6")
       ->check(options::check_count)
       ->capture_default_str();
+  command
+      ->add_flag("--catalogue", options->catalogue,
+                 "named cases, each of which is known to be hard, in place of random ones")
+      ->excludes("--cases");
   add_seed_option(*command, *options);
   add_subject_options(*command, *options);
   command->add_option("--out", options->out, "folder for counterexample-PROPERTY.json")

@@ -167,12 +167,26 @@ static inline double lobe(const lightcuts_point* p, int colour, const float from
          (cosine * masked(a2, viewer) + viewer * masked(a2, cosine));
 }
 
+/// c - cos_outer, c being the cosine between the light's axis and the way to x at a distance d.
+/// Where that cancels, by 1 - c = |a x q|^2 / (|a|^2 d^2 (1 + c)) or, seen from behind, by 1 + c
+/// likewise: all the better the narrower the cone is.
+static inline double beyond_rim(const lightcuts_light* light, const float x[3], double d) {
+  const float *a = light->axis, *y = light->position;
+  const double scale = length(a) * d, c = dot_between(a, y, x) / scale;
+  const double outer = light->cos_outer, rim = c - outer;
+  if (fabs(rim) > 0x1p-10 || fabs(c) < 0.5) return rim;
+  const float u[3] = {0, -a[2], a[1]}, v[3] = {a[2], 0, -a[0]}, w[3] = {-a[1], a[0], 0};
+  const double i = dot_between(u, y, x), j = dot_between(v, y, x), k = dot_between(w, y, x);
+  const double sine2 = (i * i + j * j + k * k) / (scale * scale);
+  return c > 0 ? 1 - outer - sine2 / (1 + c) : sine2 / (1 - c) - (1 + outer);
+}
+
 /// The share of its intensity that the light sends to the point at a distance d.
 static inline double emission(const lightcuts_light* light, const float x[3], double d) {
   if (light->kind == LIGHTCUTS_LIGHT_OMNI || light->kind == LIGHTCUTS_LIGHT_DIRECTIONAL) return 1;
   const double cosine = dot_between(light->axis, light->position, x) / (length(light->axis) * d);
   if (light->kind == LIGHTCUTS_LIGHT_ORIENTED) return fmax(cosine, 0);
-  const double rim = cosine - light->cos_outer;
+  const double rim = beyond_rim(light, x, d);
   if (rim <= 0x1p-45 * fabs(light->cos_outer)) return 0; // nothing but rounding
   const double t = fmin(rim / ((double)light->cos_inner - light->cos_outer), 1);
   return t * t;

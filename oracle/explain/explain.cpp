@@ -31,10 +31,16 @@ std::string steps(const Subject& subject, const Counterexample& c) {
   if (std::string text = explain_tree(claim, lights, c.property); !text.empty()) return text;
   const TopologyReading reading = read_topology(std::move(claim), lights.size());
   const Judged judged{*tree, subject.parts()};
+  Tally unused;
+  const std::vector<glm::vec3> of_block =
+      Judge(subject.parts(), 0, unused, c.property).block_bounds(judged, *reading.topology, c.on);
+  std::vector<ShadingPoint> points;
+  for (const CaseView& view : c.on.views) points.push_back(view.view.point());
   std::string text;
   for_each_view(c.on, *reading.topology, lights, 0, [&](std::size_t i, const PointCase& at) {
     const PointAnswers answers(judged, at);
     text = explain_cluster(answers, c.property);
+    if (text.empty()) text = explain_block({answers, of_block, {0, 0}}, points, c.property);
     if (text.empty()) text = explain_cut(answers, c.property, c.on.cut);
     if (text.empty()) return false;
     text = fmt::format("view {}\n{}\n", i, lines_of(c.on.views[i].view)) + text;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <oracle/campaign/hunt.h>
+#include <oracle/properties/bounds/block_answers.h>
 
 namespace lightcuts::oracle {
 
@@ -25,6 +26,9 @@ struct FailingPlace {
 
 /// The first cluster, by index, on which the property does not hold at the point.
 [[nodiscard]] std::optional<std::uint32_t> failing_cluster(const PointAnswers& of,
+                                                           Property property);
+/// The first cluster, by index, on which the property of a block does not hold at the point.
+[[nodiscard]] std::optional<std::uint32_t> failing_cluster(const BlockAnswers& of,
                                                            Property property);
 
 } // namespace lightcuts::oracle

@@ -93,7 +93,7 @@ constexpr bool memory_is_limited = true;
 #endif
 
 /// The pointer; notes where there is none for so many bytes.
-void* noted(void* pointer, std::size_t bytes) {
+[[maybe_unused]] void* noted(void* pointer, std::size_t bytes) {
   if (pointer == nullptr && bytes != 0 && marker != nullptr)
     marker->refused_memory.store(bytes, std::memory_order_relaxed);
   return pointer;

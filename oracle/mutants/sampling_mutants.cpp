@@ -97,6 +97,17 @@ protected:
   }
 };
 
+/// Two successive queries have the same numbers.
+class QueriesInPairs : public CopiedPerThread<QueriesInPairs, OtherDraws> {
+public:
+  using CopiedPerThread<QueriesInPairs, OtherDraws>::CopiedPerThread;
+
+protected:
+  [[nodiscard]] double number(std::uint64_t query, std::uint32_t node) const override {
+    return random_number(1, query / 2, node);
+  }
+};
+
 /// Random numbers that go on from draw to draw: asked the same again, it draws others, as well
 /// distributed.
 class DrawsGoOn : public CopiedPerThread<DrawsGoOn, OtherDraws> {
@@ -184,6 +195,21 @@ Step border_is_first_step(const ChildShares& share, double u) {
   return {true, p, std::min(u / p, 1 - 0x1p-53)};
 }
 
+/// Has used up its random number after six steps.
+class SixTurns : public CopiedPerThread<SixTurns, OtherDraws> {
+public:
+  using CopiedPerThread<SixTurns, OtherDraws>::CopiedPerThread;
+  DrawnLight sample(std::uint32_t node, const ShadingPoint& point, double u) override {
+    const auto shares = [&](std::uint32_t i) {
+      return HierarchicalImportance::shares(this->tree(), i, point);
+    };
+    int turns = 0;
+    return descended(this->tree(), node, u, shares, [&](const ChildShares& share, double number) {
+      return step_by(share, turns++ < 6 ? number : 0.5);
+    });
+  }
+};
+
 /// Draws by other shares of the children.
 template <ChildShares shares(const LightTree&, std::uint32_t node, const ShadingPoint&)>
 class OtherShares : public CopiedPerThread<OtherShares<shares>, OtherDraws> {
@@ -256,6 +282,9 @@ constexpr Mutant sampling_catalogue[] = {
      with_tree<RandomNumberLost>},
     {"one-number-for-all", "draws from all clusters of a cut by one random number",
      with_tree<OneNumberForAll>},
+    {"queries-in-pairs", "draws by the same numbers for two successive queries",
+     with_tree<QueriesInPairs>},
+    {"six-turns", "has no random number left after six steps down the tree", with_tree<SixTurns>},
     {"draws-go-on", "draws by what numbers come next, and not by those that the query decides",
      with_tree<DrawsGoOn>},
     {"resampled-between", "divides the light of one draw by the probability of another",

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <span>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -17,12 +18,23 @@ namespace lightcuts::gen {
 class Dice {
 public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}
+  /// Rolls what the bytes say, so that a fuzzer chooses, as few of them for each number as will do;
+  /// after the last, the numbers of seed 0. The bytes must outlive these dice and all aside.
+  explicit Dice(std::span<const std::uint8_t> bytes) : state_(0), bytes_(bytes) {}
 
-  /// Other dice, whose numbers these will not roll; these stay as they are.
-  [[nodiscard]] Dice aside() const { return Dice(~splitmix64(state_)); }
+  /// Other dice, whose numbers these will not roll; these stay as they are. They roll the same
+  /// bytes, if any, but not in step.
+  [[nodiscard]] Dice aside() const {
+    Dice other(~splitmix64(state_));
+    if (!bytes_.empty()) other.bytes_ = bytes_.subspan(1);
+    return other;
+  }
 
-  std::uint64_t bits() { return splitmix64(state_++); }
-  int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
+  std::uint64_t bits() { return bytes_.empty() ? splitmix64(state_++) : taken(8); }
+  int below(int n) {
+    const std::uint64_t roll = bytes_.empty() ? bits() : taken(n <= 256 ? 1 : 4);
+    return static_cast<int>(roll % static_cast<std::uint64_t>(n));
+  }
   bool one_in(int n) { return below(n) == 0; }
   int between(int first, int last) { return first + below(last - first + 1); }
   double uniform(double lo, double hi) { return lo + (hi - lo) * double(bits() >> 11) * 0x1p-53; }
@@ -111,11 +123,20 @@ public:
   }
 
 private:
+  /// The next bytes as a number, the first the lowest; fewer at the end.
+  std::uint64_t taken(std::size_t count) {
+    std::uint64_t number = 0;
+    count = std::min(count, bytes_.size());
+    for (std::size_t i = 0; i < count; ++i) number |= std::uint64_t{bytes_[i]} << (8 * i);
+    bytes_ = bytes_.subspan(count);
+    return number;
+  }
   static glm::vec3 normalised(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length == 0 ? glm::vec3(0, 0, 1) : glm::vec3(v / length);
   }
   std::uint64_t state_;
+  std::span<const std::uint8_t> bytes_;
 };
 
 } // namespace lightcuts::gen

@@ -28,6 +28,16 @@ void add_light_options(CLI::App& command, SceneRequest& request) {
       ->needs(environment)
       ->check(check_positive)
       ->capture_default_str();
+  command
+      .add_option("--environment-turn", request.environment_turn,
+                  "degrees by which it is turned about +y, from +z towards +x")
+      ->needs(environment)
+      ->check(CLI::Range(-360.0, 360.0))
+      ->capture_default_str();
+  command
+      .add_flag("--environment-visible", request.environment_visible,
+                "let the camera see it where it sees no surface; default: it does not")
+      ->needs(environment);
   CLI::Option* vpls =
       command
           .add_option("--vpls", request.vpls,

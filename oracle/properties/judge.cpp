@@ -30,7 +30,8 @@ std::span<const Property> with() {
   return list;
 }
 
-constexpr DrawConfig draw_config{.false_alarms = 1e-6, .cases = most_cases_with_draws};
+// 10^-6 together with those of groups of lights; see draws-follow-probabilities.
+constexpr DrawConfig draw_config{.false_alarms = 0.9e-6, .cases = most_cases_with_draws};
 
 } // namespace
 
@@ -89,6 +90,8 @@ void Judge::odds(const PointAnswers& of) const {
 void Judge::few_odds(const PointAnswers& of) const {
   if (!has(Part::sampling) || !any<&PropertyInfo::of_odds>()) return;
   constexpr std::uint32_t nodes = 64, lights = 64;
+  constexpr std::size_t not_too_many = 20'000; // as many questions
+  if (of.at.lights().size() <= not_too_many) run<&PropertyInfo::of_odds>(ClusterOdds(of, 0));
   std::uint32_t asked = 0;
   for (std::uint32_t node = of.topology().size(); node-- > 0 && asked < nodes;) {
     if (of.topology().light_count(node) > lights) continue;
@@ -147,6 +150,18 @@ std::vector<glm::vec3> Judge::block_bounds(const Judged& judged, const Topology&
   return bounds;
 }
 
+void Judge::block(const BlockAnswers& of) const { run<&PropertyInfo::of_block>(of); }
+
+void Judge::block(const Judged& judged, const Topology& topology, const LightSet& lights,
+                  const Case& on) const {
+  const std::vector<glm::vec3> bounds = block_bounds(judged, topology, on);
+  if (bounds.empty()) return;
+  for_each_view(on, topology, lights, place_, [&](std::size_t, const PointCase& at) {
+    block({PointAnswers(judged, at), bounds, {0, topology.size()}});
+    return false;
+  });
+}
+
 void Judge::views(const Judged& judged, const Topology& topology, const LightSet& lights,
                   const Case& on) const {
   if (!any<&PropertyInfo::of_clusters>() && !any<&PropertyInfo::of_block>() &&
@@ -157,7 +172,7 @@ void Judge::views(const Judged& judged, const Topology& topology, const LightSet
   for_each_view(on, topology, lights, place_, [&](std::size_t, const PointCase& at) {
     const PointAnswers answers(judged, at);
     clusters(answers);
-    if (!of_block.empty()) run<&PropertyInfo::of_block>(BlockAnswers{answers, of_block});
+    if (!of_block.empty()) block({answers, of_block, {0, topology.size()}});
     const auto configs = cuts_of(on.cut, on.lights.size());
     if (on.lights.size() > many_lights) {
       cuts(answers, std::array{configs[0], configs[2]});

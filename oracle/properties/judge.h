@@ -36,9 +36,19 @@ public:
   void point(const PointAnswers& of, const CutConfig& config) const;
   /// All lights of all clusters: without drawing many.
   void odds(const PointAnswers& of) const;
-  /// Lights of the last clusters, which are small.
+  /// Lights of the last clusters, which are small; and all, if they are not too many.
   void few_odds(const PointAnswers& of) const;
   void draws(const PointAnswers& of, const CutConfig& cut, const DrawConfig& config) const;
+
+  /// Bounds per node, of all views of the case together; none where they are no block, or nobody
+  /// asks.
+  [[nodiscard]] std::vector<glm::vec3> block_bounds(const Judged& judged, const Topology& topology,
+                                                    const Case& on) const;
+  /// A point of a block.
+  void block(const BlockAnswers& of) const;
+  /// All points of the block that the case's views are, if they are one.
+  void block(const Judged& judged, const Topology& topology, const LightSet& lights,
+             const Case& on) const;
 
   // Shading and visibility.
   void light(const ShadingPoint& point, const Light& light) const;
@@ -70,9 +80,6 @@ public:
   }
 
 private:
-  /// Bounds per node, of all views together; none where they are no block, or nobody asks.
-  [[nodiscard]] std::vector<glm::vec3> block_bounds(const Judged& judged, const Topology& topology,
-                                                    const Case& on) const;
   [[nodiscard]] bool has(Part part) const { return oracle::has(parts_, part); }
   [[nodiscard]] bool wants(Property property) const;
   [[nodiscard]] Recorder record(Property property) const {

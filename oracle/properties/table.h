@@ -16,10 +16,10 @@
   X(bound_is_finite)                                                                               \
   X(estimates_match_clusters)                                                                      \
   X(cut_partitions_lights)                                                                         \
+  X(total_does_not_drift)                                                                          \
   X(cut_obeys_threshold)                                                                           \
   X(certified_error_holds)                                                                         \
   X(zero_threshold_is_exact)                                                                       \
-  X(total_does_not_drift)                                                                          \
   X(tighter_threshold_refines)                                                                     \
   X(visibility_only_darkens)                                                                       \
   X(refinement_order_is_strict)                                                                    \

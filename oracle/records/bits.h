@@ -19,6 +19,8 @@ template <class Value>
 void append_bits(std::vector<std::uint64_t>& bits, const Value& value) {
   if constexpr (Record<Value>) {
     for_each_field(value, [&](const char*, const auto& part, Domain) { append_bits(bits, part); });
+  } else if constexpr (SharedRecord<Value>) {
+    append_bits(bits, value.table());
   } else if constexpr (is_variant<Value>) {
     bits.push_back(value.index());
     std::visit([&](const auto& alternative) { append_bits(bits, alternative); }, value);

@@ -55,6 +55,8 @@ template <class Value>
   if constexpr (Record<Value>) {
     json = Json::object();
     append_fields(json, value, floats);
+  } else if constexpr (SharedRecord<Value>) {
+    json = json_of(value.table(), floats);
   } else if constexpr (is_variant<Value>) {
     std::visit(
         [&](const auto& alternative) {
@@ -145,6 +147,8 @@ void append_keys(std::vector<std::string>& keys) {
 
 template <Record R>
 void read_fields(const JsonElement& element, R& record);
+template <SharedRecord Value>
+void read_value(const JsonElement& element, Value& value, const Domain& domain);
 template <class T>
 void read_value(const JsonElement& element, std::vector<T>& list, const Domain& domain);
 template <class T>
@@ -172,6 +176,17 @@ void read_fields(const JsonElement& element, R& record) {
       if (domain.inlined) return read_fields(element, value);
     if (element.has(name) || !domain.optional) read_value(element[name], value, domain);
   });
+}
+
+template <SharedRecord Value>
+void read_value(const JsonElement& element, Value& value, const Domain& /*domain*/) {
+  typename Value::Table table;
+  read_record(element, table);
+  try {
+    value = Value(std::move(table));
+  } catch (const InputError& error) {
+    element.refuse_as(error.fault(), fmt::format(": {}", error.what()));
+  }
 }
 
 template <class T>

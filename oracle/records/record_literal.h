@@ -33,6 +33,8 @@ template <class Value>
                      if (!same_bits(part, usual))
                        parts.push_back(fmt::format(".{} = {}", name, literal_of(part)));
                    });
+  } else if constexpr (SharedRecord<Value>) {
+    return type_name<Value>() + "(" + literal_of(value.table()) + ")";
   } else if constexpr (is_variant<Value>) {
     return std::visit(
         []<class T>(const T& alternative) { return type_name<T>() + literal_of(alternative); },

@@ -34,14 +34,16 @@ void for_each_line(const R& record, Line&& line);
 /// Of a record "name value, name value", without what is optional and has its default value; a kind
 /// goes without its name.
 template <class Value>
-requires(Record<Value> || is_variant<Value> || is_vector<Value> || NamedEnum<Value> ||
-         std::is_integral_v<Value> || std::is_same_v<Value, std::string>) [[nodiscard]] std::string
-    text_of(const Value& value) {
+requires(Record<Value> || SharedRecord<Value> || is_variant<Value> || is_vector<Value> ||
+         NamedEnum<Value> || std::is_integral_v<Value> || std::is_same_v<Value, std::string>)
+    [[nodiscard]] std::string text_of(const Value& value) {
   std::string text;
   if constexpr (Record<Value>) {
     for_each_line(value, [&text](const std::string& name, const std::string& part) {
       text += (text.empty() ? "" : ", ") + (name == "kind" ? part : name + " " + part);
     });
+  } else if constexpr (SharedRecord<Value>) {
+    text = text_of(value.table());
   } else if constexpr (is_variant<Value>) {
     text = std::visit(
         [](const auto& alternative) {

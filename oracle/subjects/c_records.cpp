@@ -3,6 +3,8 @@
 
 #include <variant>
 
+#include <lightcuts/core/input_error.h>
+
 namespace lightcuts::oracle {
 namespace {
 
@@ -29,13 +31,18 @@ void set_lobe(lightcuts_material& c, const CookTorrance& lobe) {
 
 } // namespace
 
-// A kind of light that the C interface does not have is not judged by it.
-static_assert(light_kind_count == 4 && int(LightKind::omni) == LIGHTCUTS_LIGHT_OMNI &&
+// The C interface does not have LightKind::profile: plug-ins lack Part::profiles. Any other new
+// kind would be wanted here.
+static_assert(light_kind_count == 5 && int(LightKind::profile) == 4 &&
+              int(LightKind::omni) == LIGHTCUTS_LIGHT_OMNI &&
               int(LightKind::oriented) == LIGHTCUTS_LIGHT_ORIENTED &&
               int(LightKind::spot) == LIGHTCUTS_LIGHT_SPOT &&
               int(LightKind::directional) == LIGHTCUTS_LIGHT_DIRECTIONAL);
 
 lightcuts_light as_c(const Light& light) {
+  if (light.kind == LightKind::profile)
+    throw InputError(InputFault::unsupported,
+                     "lights with profiles cannot be given to a plug-in: its interface has none");
   lightcuts_light c{};
   c.kind = std::uint32_t(light.kind);
   copy(light.position, c.position);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <oracle/subjects/subject.h>
 
+#include <algorithm>
+
 #include <lightcuts/render/view/renderer.h>
 
 namespace lightcuts::oracle {
@@ -34,6 +36,8 @@ const char* name_of(Part part) {
     return "random cuts";
   case Part::block_bounds:
     return "block bounds";
+  case Part::profiles:
+    return "lights with profiles";
   case Part::greedy_tree:
     return "greedy tree";
   case Part::library_rules:
@@ -48,6 +52,12 @@ std::vector<std::string> names_without(Parts parts) {
     if (const auto part = Part(1U << unsigned(i)); !has(parts, part))
       names.emplace_back(name_of(part));
   return names;
+}
+
+bool takes(Parts parts, std::span<const Light> lights) {
+  return has(parts, Part::profiles) ||
+         std::none_of(lights.begin(), lights.end(),
+                      [](const Light& light) { return light.kind == LightKind::profile; });
 }
 
 glm::vec3 SubjectTree::bound(std::uint32_t, const ShadingPoint&) { not_a_part(Part::bounds); }

@@ -40,17 +40,21 @@ enum class Part : unsigned {
   pictures = 128,        ///< Subject::render()
   random_cuts = 256,     ///< SubjectTree::draw()
   block_bounds = 512,    ///< SubjectTree::block_bounds()
+  profiles = 1024,       ///< lights of LightKind::profile
   // Claims.
-  greedy_tree = 1024,  ///< the tree is that of greedy clustering
-  library_rules = 2048 ///< what this library promises beyond what makes a light tree right
+  greedy_tree = 2048,  ///< the tree is that of greedy clustering
+  library_rules = 4096 ///< what this library promises beyond what makes a light tree right
 };
-inline constexpr int part_count = 10; ///< claims not counted
-inline constexpr Parts all_parts_and_claims = (1U << 12) - 1;
+inline constexpr int part_count = 11; ///< claims not counted
+inline constexpr Parts all_parts_and_claims = (1U << 13) - 1;
 [[nodiscard]] constexpr Parts only(Part part) { return unsigned(part); }
 [[nodiscard]] constexpr bool has(Parts parts, Part part) { return (parts & only(part)) != 0; }
 [[nodiscard]] const char* name_of(Part part);
 /// Names of the parts that are not in the set; claims have none.
 [[nodiscard]] std::vector<std::string> names_without(Parts parts);
+
+/// Whether a subject of these parts can be given these lights.
+[[nodiscard]] bool takes(Parts parts, std::span<const Light> lights);
 
 /// A light drawn from a cluster.
 struct DrawnLight {

@@ -235,30 +235,28 @@ std::string SubjectProcess::refused_memory() const {
                      memory_text(config_.memory_limit), memory_text(bytes));
 }
 
-void SubjectProcess::fail(const std::string& what) {
+std::string SubjectProcess::ended(const std::string& what) {
   failure_ = fmt::format("{}: {}", name_, what);
   kill();
-  throw SubjectFailure(failure_);
+  return failure_;
 }
-
-void SubjectProcess::refuse(const std::string& what) { fail(what); }
 
 void SubjectProcess::fail_by_death() {
   int status = 0;
-  pid_t ended = 0;
+  pid_t gone = 0;
   // It may have closed the connection, or its last words may be on their way.
-  for (int i = 0; i < 200 && ended == 0; ++i) {
-    ended = waitpid(pid_, &status, WNOHANG);
-    if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  for (int i = 0; i < 200 && gone == 0; ++i) {
+    gone = waitpid(pid_, &status, WNOHANG);
+    if (gone == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   const std::string where = place() + refused_memory();
-  if (ended != pid_) fail("closed the connection to the oracle " + where);
+  if (gone != pid_) refuse("closed the connection to the oracle " + where);
   ::kill(-pid_, SIGKILL); // what it may have started
   pid_ = -1;
   if (WIFSIGNALED(status))
-    fail(fmt::format("crashed (signal {}, {}) {}", WTERMSIG(status), strsignal(WTERMSIG(status)),
-                     where));
-  fail(fmt::format("exited with code {} {}", WEXITSTATUS(status), where));
+    refuse(fmt::format("crashed (signal {}, {}) {}", WTERMSIG(status), strsignal(WTERMSIG(status)),
+                       where));
+  refuse(fmt::format("exited with code {} {}", WEXITSTATUS(status), where));
 }
 
 void SubjectProcess::wait_for(short event, Deadline& deadline) {
@@ -275,7 +273,7 @@ void SubjectProcess::wait_for(short event, Deadline& deadline) {
       if (waitid(P_PID, id_t(pid_), &info, peek) == 0 && info.si_pid == pid_) fail_by_death();
       // It may have come to it since the last poll.
       if (deadline.is_put_off() || (poll(ready, 1, 0) > 0 && ready[0].revents != 0)) continue;
-      fail(fmt::format("hung for {:g} s {}", config_.time_limit, place()));
+      refuse(fmt::format("hung for {:g} s {}", config_.time_limit, place()));
     }
   }
 }
@@ -309,10 +307,10 @@ std::span<const std::byte> SubjectProcess::receive_answer(Deadline& deadline, st
   protocol::AnswerHeader header{};
   receive(std::as_writable_bytes(std::span(&header, 1)), deadline);
   const bool done = header.answer == protocol::Answer::done;
-  if (header.size > (done ? most : longest_text)) fail("wrote to the oracle's own connection");
+  if (header.size > (done ? most : longest_text)) refuse("wrote to the oracle's own connection");
   answer_.resize(header.size);
   receive(answer_, deadline);
-  if (!done) fail(protocol::Reader(answer_).rest() + refused_memory());
+  if (!done) refuse(protocol::Reader(answer_).rest() + refused_memory());
   return answer_;
 }
 

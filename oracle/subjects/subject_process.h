@@ -13,8 +13,8 @@
 
 #include <sys/types.h>
 
+#include <oracle/subjects/plugin_connection.h>
 #include <oracle/subjects/plugin_subject.h>
-#include <oracle/subjects/subject_protocol.h>
 
 namespace lightcuts::oracle {
 
@@ -35,26 +35,24 @@ private:
 
 /// A plug-in in a process of its own, for one thread. Whatever goes wrong with it kills the process
 /// and throws SubjectFailure; so does everything asked after that.
-class SubjectProcess {
+class SubjectProcess : public PluginConnection {
 public:
   /// Starts config.host with the plug-in.
   SubjectProcess(const std::filesystem::path& plugin, const PluginConfig& config,
                  std::shared_ptr<PluginOutput> output);
-  ~SubjectProcess();
+  ~SubjectProcess() override;
   SubjectProcess(const SubjectProcess&) = delete;
   SubjectProcess& operator=(const SubjectProcess&) = delete;
 
   /// The answer to the loading of the plug-in; to be called first.
   [[nodiscard]] std::span<const std::byte> loaded();
-  /// The answer to a request, of `most` bytes at most; valid until the next. about: what else is to
-  /// be said of the question where it is not answered.
   [[nodiscard]] std::span<const std::byte> ask(protocol::Request request,
                                                std::span<const std::byte> payload,
-                                               std::uint64_t most, std::string about = {});
-  /// Ends the process for what it answered, which cannot be read.
-  [[noreturn]] void refuse(const std::string& what);
+                                               std::uint64_t most, std::string about = {}) override;
+  [[nodiscard]] bool is_alive() const override { return pid_ > 0; }
 
-  [[nodiscard]] bool is_alive() const { return pid_ > 0; }
+protected:
+  std::string ended(const std::string& what) override;
 
 private:
   class Deadline;
@@ -66,7 +64,6 @@ private:
   void wait_for(short event, Deadline& deadline);
   void read_printed();
   [[noreturn]] void fail_by_death();
-  [[noreturn]] void fail(const std::string& what);
   [[nodiscard]] std::string place() const;
   [[nodiscard]] std::string refused_memory() const;
   void kill();

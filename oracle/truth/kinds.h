@@ -4,6 +4,7 @@
 #include <oracle/truth/kinds/directional.h>
 #include <oracle/truth/kinds/omni.h>
 #include <oracle/truth/kinds/oriented.h>
+#include <oracle/truth/kinds/profile.h>
 #include <oracle/truth/kinds/spot.h>
 
 namespace lightcuts::oracle::radiometry {

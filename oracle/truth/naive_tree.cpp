@@ -38,6 +38,43 @@ NaiveCluster merged(const NaiveCluster& a, const NaiveCluster& b) {
   return m;
 }
 
+std::int32_t merge(std::vector<NaiveCluster>& all, std::int32_t a, std::int32_t b) {
+  NaiveCluster m = merged(all[std::size_t(a)], all[std::size_t(b)]);
+  m.children[0] = a;
+  m.children[1] = b;
+  all.push_back(m);
+  return std::int32_t(all.size() - 1);
+}
+
+std::int32_t merge_halves(std::vector<NaiveCluster>& all, std::span<const std::int32_t> group) {
+  if (group.size() == 1) return group[0];
+  const std::size_t half = group.size() - group.size() / 2;
+  const std::int32_t first = merge_halves(all, group.first(half));
+  return merge(all, first, merge_halves(all, group.subspan(half)));
+}
+
+/// One cluster for all lights of one place and axis, in the order of their lowest lights.
+std::vector<std::int32_t> merge_equals(std::vector<NaiveCluster>& all) {
+  const auto lights = std::int32_t(all.size());
+  const auto same = [&](std::int32_t i, std::int32_t j) {
+    const NaiveCluster &a = all[std::size_t(i)], &b = all[std::size_t(j)];
+    return a.box == b.box && a.axes == b.axes;
+  };
+  std::vector<std::int32_t> merged;
+  std::vector<char> taken(all.size(), 0);
+  for (std::int32_t i = 0; i < lights; ++i) {
+    if (taken[std::size_t(i)] != 0) continue;
+    std::vector<std::int32_t> group;
+    for (std::int32_t j = i; j < lights; ++j) {
+      if (!same(i, j)) continue;
+      taken[std::size_t(j)] = 1;
+      group.push_back(j);
+    }
+    merged.push_back(merge_halves(all, group));
+  }
+  return merged;
+}
+
 } // namespace
 
 double greedy_metric(const NaiveCluster& a, const NaiveCluster& b) {
@@ -47,8 +84,7 @@ double greedy_metric(const NaiveCluster& a, const NaiveCluster& b) {
 
 std::vector<NaiveCluster> naive_clusters(const LightSet& lights, const Metric& metric) {
   std::vector<NaiveCluster> all = leaves_of(lights);
-  std::vector<std::int32_t> open; // in the order of their lowest lights
-  for (std::size_t i = 0; i < all.size(); ++i) open.push_back(std::int32_t(i));
+  std::vector<std::int32_t> open = merge_equals(all); // in the order of their lowest lights
   const auto at = [&](std::size_t i) -> const NaiveCluster& { return all[std::size_t(open[i])]; };
   while (open.size() > 1) {
     std::size_t a = 0, b = 1;
@@ -60,11 +96,7 @@ std::vector<NaiveCluster> naive_clusters(const LightSet& lights, const Metric& m
           a = i;
           b = j;
         }
-    NaiveCluster m = merged(at(a), at(b));
-    m.children[0] = open[a];
-    m.children[1] = open[b];
-    all.push_back(m);
-    open[a] = std::int32_t(all.size() - 1);
+    open[a] = merge(all, open[a], open[b]);
     open.erase(open.begin() + std::ptrdiff_t(b));
   }
   return all;

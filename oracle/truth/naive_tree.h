@@ -31,9 +31,10 @@ using Metric = std::function<double(const NaiveCluster&, const NaiveCluster&)>;
 /// (sum of intensities) (diagonal^2 + spread of axes); see build().
 [[nodiscard]] double greedy_metric(const NaiveCluster& a, const NaiveCluster& b);
 
-/// The definition of the greedy tree, followed to the letter in O(N^3): merges the cheapest of all
-/// pairs each time, that with the lowest light indices among equals. Lights of one kind; the last
-/// cluster is the root. A representative is that of the first child.
+/// The definition of the greedy tree, followed to the letter in O(N^3): merges lights of one place
+/// and axis first, the first half of them with the second, then the cheapest of all pairs each
+/// time, that with the lowest light indices among equals. Lights of one kind; the last cluster is
+/// the root. A representative is that of the first child.
 [[nodiscard]] std::vector<NaiveCluster> naive_clusters(const LightSet& lights,
                                                        const Metric& metric = greedy_metric);
 

@@ -4,6 +4,8 @@
 #include <csignal>
 #include <fstream>
 
+#include <sys/stat.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -185,6 +187,9 @@ TEST(Campaign, RefusesTheFileOfAnother) {
   std::ofstream(oracle.folder() / "kept.json") << "{\"schema\": 3";
   EXPECT_EQ(oracle.run(kept).exit_code, 3);
   EXPECT_EQ(oracle.run(with(small_check, {"--resume", "/dev/null/x"})).exit_code, 3);
+  // A pipe that nobody writes to never ends.
+  ASSERT_EQ(mkfifo((oracle.folder() / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(oracle.run(with(small_check, {"--resume", "pipe"})).exit_code, 3);
 }
 
 TEST(Campaign, IsSavedAtCtrlC) {

@@ -38,5 +38,18 @@ TEST(ImageCodec, IsMissedOnlyWhereAnImageIsTouched) {
   EXPECT_FALSE(std::filesystem::exists(oracle.folder() / "out"));
 }
 
+TEST(ImageCodec, LeavesWhatIsSaidOfABrokenImageToTheMessage) {
+  const OracleProcess oracle;
+  write(oracle.folder() / "bad.png", "\x89PNG\r\n\x1a\n" + std::string(40, '\1'));
+  write(oracle.folder() / "bad.mtl", "newmtl a\nmap_Kd bad.png\n");
+  write(oracle.folder() / "bad.obj", "mtllib bad.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n"
+                                     "usemtl a\nf 1/1 2/1 3/1\n");
+  const Outcome outcome = oracle.run({"info", "bad.obj"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, testing::MatchesRegex("bad: bad.obj: texture 'bad.png' cannot be read: "
+                                                 "PNG read error: [^\n]*\n"
+                                                 "bad: bad.obj: no camera [^\n]*\n"));
+}
+
 } // namespace
 } // namespace lightcuts

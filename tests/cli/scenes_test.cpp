@@ -25,6 +25,21 @@ TEST(ScenesCommand, ListsThemAsJson) {
   EXPECT_EQ(result["scenes"][0]["name"], "desk");
 }
 
+TEST(ErrorsCommand, ComparesSumsWithWhatTheyCanBeOff) {
+  const Outcome outcome = OracleProcess().run({"errors", "--lights", "2e5", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const auto sums = nlohmann::json::parse(outcome.out)["sums"];
+  ASSERT_EQ(sums.size(), 6U); // 10 to 10^5, and 2 10^5
+  EXPECT_EQ(sums[5]["lights"], 200'000);
+  for (const auto& row : sums) {
+    EXPECT_LE(row["float"], row["most_in_float"]);
+    EXPECT_LE(row["double"], row["most_in_double"]);
+    EXPECT_LE(row["compensated"], row["most_compensated"]);
+  }
+  EXPECT_GT(sums[5]["float"], sums[5]["double"]);
+  EXPECT_GT(sums[5]["double"], sums[5]["compensated"]);
+}
+
 TEST(InfoCommand, SaysWhatIsNeededAndLeftOut) {
   const Outcome outcome = OracleProcess().run({"info", "cloud?lights=20&blocks=0"});
   EXPECT_EQ(outcome.exit_code, 0);
@@ -32,6 +47,19 @@ TEST(InfoCommand, SaysWhatIsNeededAndLeftOut) {
   EXPECT_THAT(outcome.out, HasSubstr("lights       20 omni"));
   EXPECT_THAT(outcome.out, HasSubstr("left out     shadow rays"));
   EXPECT_THAT(outcome.out, HasSubstr("left out     light tree"));
+}
+
+TEST(InfoCommand, SaysWhatLuminairesSend) {
+  const OracleProcess oracle;
+  const std::string file = LIGHTCUTS_TEST_FILES "/json/profile.json";
+  EXPECT_THAT(oracle.run({"info", file}).out,
+              HasSubstr("luminaires   3 of 2 profiles, which send "));
+  const auto result = nlohmann::json::parse(
+      oracle.run({"info", "cloud?lights=20&kind=profile", "--json", "-"}).out);
+  EXPECT_EQ(result["luminaires"]["lights"], 20);
+  EXPECT_EQ(result["luminaires"]["profiles"], 1);
+  EXPECT_GT(result["luminaires"]["watts"][0], 0);
+  EXPECT_THAT(oracle.run({"info", "desk"}).out, testing::Not(HasSubstr("luminaires")));
 }
 
 TEST(InfoCommand, SaysItAsJson) {
@@ -69,6 +97,33 @@ TEST(RenderCommand, TakesTheMethodThatInfoNames) {
   const auto result = nlohmann::json::parse(render.out);
   EXPECT_EQ(result["method"], "block-cuts");
   EXPECT_EQ(result["threshold"], 0.04);
+}
+
+TEST(RenderCommand, RendersGroupsOfLightsByThemselves) {
+  const OracleProcess oracle;
+  write(oracle.folder() / "floor.obj", "v -1 0 -1\nv 1 0 -1\nv 0 0 1\nf 3 2 1\n");
+  write(oracle.folder() / "lit.json",
+        R"({"geometry": "floor.obj", "image": {"width": 8, "height": 8},
+            "camera": {"position": [0, 2, 0.1], "target": [0, 0, 0]},
+            "lights": [{"position": [0, 2, 0], "intensity": 3, "group": "lamps"},
+                       {"position": [0, 2, 0], "intensity": [1, 0, 0]},
+                       {"position": [0, 2, 0], "intensity": 1, "group": "candles"}]})");
+  const Outcome outcome = oracle.run({"render", "lit.json", "--groups", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto result = nlohmann::json::parse(outcome.out);
+  const auto& groups = result["groups"];
+  ASSERT_EQ(groups.size(), 3U);
+  EXPECT_EQ(groups[0]["name"], "lamps");
+  EXPECT_EQ(groups[2]["name"], "others");
+  EXPECT_NEAR(groups[0]["share_of_light"].get<double>(), 9.0 / 13, 1e-6);
+  EXPECT_NEAR(groups[1]["share_of_light"].get<double>(), 3.0 / 13, 1e-6);
+  EXPECT_NEAR(groups[2]["share_of_light"].get<double>(), 1.0 / 13, 1e-6);
+  EXPECT_THAT(oracle.run({"render", "lit.json", "--groups"}).out,
+              HasSubstr("group candles: 1 light, 23.08 % of the light"));
+  EXPECT_THAT(oracle.run({"info", "lit.json"}).out, HasSubstr("group        lamps: 1 light\n"));
+  const Outcome refused = oracle.run({"render", "desk", "--groups"});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("desk: no light has a group"));
 }
 
 TEST(RenderCommand, SaysWhereTheCameraSeesNothing) {

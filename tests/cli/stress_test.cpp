@@ -62,6 +62,10 @@ TEST(StressCommand, PrintsJsonAndNothingElse) {
   EXPECT_TRUE(std::filesystem::exists(oracle.folder() / file));
 }
 
+TEST(StressCommand, HasEitherNamedCasesOrRandomOnes) {
+  EXPECT_EQ(OracleProcess().run({"stress", "--catalogue", "--cases", "5"}).exit_code, 2);
+}
+
 TEST(StressCommand, RefusesUnknownSubjectsAndFolders) {
   const OracleProcess oracle;
   const Outcome unknown = oracle.run({"stress", "--subject", "nobody"});

@@ -58,9 +58,9 @@ TEST(Help, OfMutantsAndInfoShowsEveryDefault) {
 TEST(Help, NamesCommandsAndExitCodes) {
   const Outcome outcome = OracleProcess().run({"--help"});
   EXPECT_EQ(outcome.exit_code, 0);
-  for (const char* part :
-       {"check", "report", "render", "mutants", "info", "scenes", "stress", "replay", "new-subject",
-        "0 all holds", "1 a property is violated", "2 usage", "3 input", "4 internal"})
+  for (const char* part : {"check", "report", "render", "mutants", "info", "scenes", "stress",
+                           "errors", "replay", "new-subject", "0 all holds",
+                           "1 a property is violated", "2 usage", "3 input", "4 internal"})
     EXPECT_THAT(outcome.out, HasSubstr(part));
 }
 

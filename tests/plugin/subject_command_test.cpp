@@ -34,7 +34,8 @@ TEST(SubjectOption, JudgesAForeignTree) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("All properties hold."),
-                    HasSubstr("not judged: occlusion, pictures, random cuts, block bounds "
+                    HasSubstr("not judged: occlusion, pictures, random cuts, block bounds, "
+                              "lights with profiles "
                               "(brute tree (libbrute_tree.so) does not offer them)")));
 }
 
@@ -45,7 +46,33 @@ TEST(SubjectOption, TellsWhatWasNotJudged) {
   EXPECT_EQ(result["subject"], plugin_file("only_bounds").string());
   EXPECT_THAT(result["not_judged"],
               ElementsAre("lower bounds", "estimates", "cuts", "sampling", "refinement order",
-                          "occlusion", "pictures", "random cuts", "block bounds"));
+                          "occlusion", "pictures", "random cuts", "block bounds",
+                          "lights with profiles"));
+}
+
+TEST(SubjectOption, RunsTheCatalogueAndSavesTheFirstViolation) {
+  const OracleProcess oracle;
+  const Outcome outcome = oracle.run(
+      {"stress", "--catalogue", "--subject", plugin_file("half_bound"), "--json", "results.json"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("named cases"));
+  EXPECT_THAT(outcome.out, HasSubstr("left out, since it may take long: a-million-at-one-place"));
+  const json result = json::parse(content_of(oracle.folder() / "results.json"));
+  EXPECT_EQ(result["schema"], "lightcuts-oracle/stress/2");
+  EXPECT_GE(result["cases"].size(), 40U);
+  std::uint64_t violations = 0;
+  for (const json& one : result["cases"]) {
+    EXPECT_FALSE(one["name"].get<std::string>().empty());
+    EXPECT_FALSE(one["why"].get<std::string>().empty());
+    EXPECT_TRUE(one["worst_ratio"].is_number());
+    EXPECT_TRUE(one["max_relative_error"].is_number() || one["max_relative_error"].is_null());
+    EXPECT_GE(one["saturated"], 0);
+    violations += one["violations"].get<std::uint64_t>();
+  }
+  EXPECT_GT(violations, 0U);
+  EXPECT_EQ(result["violations"], violations);
+  const std::string file = result["counterexample"]["file"];
+  EXPECT_EQ(oracle.run({"replay", file}).exit_code, 1);
 }
 
 TEST(SubjectOption, ConvictsInOnePiece) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -36,7 +37,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_shapes = 4;
+  static constexpr std::size_t most_shapes = 5;
   template <class Value>
   static constexpr bool has_shapes = NamedEnum<Value> || oracle::is_variant<Value>;
 
@@ -63,6 +64,8 @@ private:
       for (int i = 0; i < Value::length(); ++i) (*this)(value[i], {}, domain);
     } else if constexpr (oracle::is_optional<Value>) {
       (*this)(value.emplace(), {}, domain);
+    } else if constexpr (std::is_same_v<Value, Profile>) {
+      value = Profile(unlike_table());
     } else if constexpr (NamedChoice<Value>) {
       const auto values = values_of(std::type_identity<Value>{});
       value = values[dice_.bits() % values.size()];
@@ -77,6 +80,18 @@ private:
     } else {
       set_list(value);
     }
+  }
+
+  /// One whose parts go together.
+  ProfileTable unlike_table() {
+    const auto share = [this] { return float(dice_.uniform(0, 1)); };
+    const float half = float(dice_.uniform(-0.6, -0.4));
+    const float sine = float(std::sqrt(1 - double(half) * half));
+    return {.cosines = {1, share(), -1},
+            .plane_cosines = {1, half, half},
+            .plane_sines = {0, sine, -sine},
+            .shares = {share(), share(), share(), share(), share(), share(), share(), share(),
+                       share()}};
   }
 
   template <class Integer>

@@ -11,6 +11,7 @@ namespace lightcuts::oracle {
 struct BlockAnswers {
   const PointAnswers& point;
   std::span<const glm::vec3> bounds; ///< per node: SubjectTree::block_bounds()
+  NodeRange nodes;                   ///< to be judged
 };
 
 } // namespace lightcuts::oracle

@@ -6,7 +6,7 @@ namespace lightcuts::oracle {
 namespace {
 
 void check_block(const BlockAnswers& of, const Recorder& record) {
-  for (std::uint32_t i = 0; i < of.bounds.size(); ++i)
+  for (std::uint32_t i = of.nodes.begin; i < of.nodes.end; ++i)
     check_dominates(of.point, i, of.bounds[i], "block's bound", record);
 }
 

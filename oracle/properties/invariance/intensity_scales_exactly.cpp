@@ -6,11 +6,11 @@
 namespace lightcuts::oracle {
 namespace {
 
-constexpr float factor = 128;
+constexpr float brightening = 128;
 
 bool brighten(Setting& s) {
   return std::all_of(s.lights.begin(), s.lights.end(),
-                     [](Light& light) { return scale(light.intensity, factor); });
+                     [](Light& light) { return scale(light.intensity, brightening); });
 }
 
 } // namespace
@@ -21,7 +21,7 @@ const PropertyInfo property::intensity_scales_exactly{
     .formula = "bounds, radiance at threshold 0 and certified error, divided by 2^k",
     .promise = Promise::library,
     .of_invariance = [](const Invariance& of,
-                        const Recorder& record) { of.exactly(brighten, factor, record); },
+                        const Recorder& record) { of.exactly(brighten, brightening, record); },
 };
 
 } // namespace lightcuts::oracle

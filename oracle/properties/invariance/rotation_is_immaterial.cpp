@@ -12,6 +12,7 @@ bool turn(Setting& s) {
   for (Light& light : s.lights) {
     turned(light.position);
     turned(light.axis);
+    turned(light.plane);
   }
   return true;
 }

@@ -42,7 +42,7 @@ Draws::Draws(const PointAnswers& answers, const CutConfig& asked, const DrawConf
 void Draws::of_random_cuts(const DrawConfig& config) {
   const Cut first = point.judged.tree.draw(
       point.at.point, cut, 0, [&](std::uint32_t light) { return point.at.sees(light); });
-  std::uint64_t tests = 3 + first.clusters.size() - 1;
+  std::uint64_t tests = 4;
   for (const CutCluster& c : first.clusters) {
     if (c.node >= point.topology().size()) return; // convicted elsewhere
     tests += clusters_.emplace_back(point, c.node).lights.size();
@@ -50,7 +50,9 @@ void Draws::of_random_cuts(const DrawConfig& config) {
   const Wide& truth = point.at.truth.seen(0);
   channel_ = std::size_t(std::max_element(truth.begin(), truth.end()) - truth.begin());
   if (!(double(truth[channel_]) > least_seen) || clusters_.empty()) return;
-  rate_ = sidak(sidak(config.false_alarms, config.cases), tests);
+  if (clusters_.size() > 1) tests += whole_.emplace(point, 0).lights.size();
+  pair_up();
+  rate_ = sidak(sidak(config.false_alarms, config.cases), tests + pairs_.size());
   for (std::size_t c = 0; c < 3; ++c)
     for (const RandomCluster& l : clusters_) {
       spread_[c].variance += l.spread[c].variance;
@@ -65,6 +67,14 @@ void Draws::of_single_draws(const DrawConfig& config) {
     tests += clusters_.emplace_back(point, child).lights.size();
   rate_ = sidak(sidak(config.false_alarms, config.cases), tests);
   count_ = needed(config.max_draws, false).value_or(0);
+}
+
+void Draws::pair_up() {
+  constexpr std::size_t few = 8;
+  for (std::size_t k = 0; k < clusters_.size(); ++k)
+    for (std::size_t j = k + 1; j < clusters_.size() && (clusters_.size() <= few || j == k + 1);
+         ++j)
+      pairs_.emplace_back(k, j);
 }
 
 /// So many that all is noticed that is to be, a bias if `unbiased`; nothing if that is too many.
@@ -88,24 +98,32 @@ void Draws::add(const Cut& one, DrawSums& sums) const {
   sums.same_cut =
       std::equal(one.clusters.begin(), one.clusters.end(), clusters_.begin(), clusters_.end(),
                  [](const CutCluster& a, const RandomCluster& b) { return a.node == b.node; });
-  for (std::size_t k = 0; sums.same_cut && k + 1 < clusters_.size(); ++k) {
-    const auto off = [&](std::size_t j) {
-      return one.clusters[j].estimate[int(channel_)] - clusters_[j].mean[channel_];
-    };
-    sums.products[k] += off(k) * off(k + 1);
-  }
+  if (!sums.same_cut) return;
+  const auto off = [&](std::size_t j) {
+    return one.clusters[j].estimate[int(channel_)] - clusters_[j].mean[channel_];
+  };
+  for (std::size_t i = 0; i < pairs_.size(); ++i)
+    sums.products[i] += off(pairs_[i].first) * off(pairs_[i].second);
 }
 
 DrawSums Draws::drawn() const {
   const auto visible = [&](std::uint32_t light) { return point.at.sees(light); };
   DrawSums sums;
-  sums.products.resize(clusters_.size() - 1, 0);
+  sums.products.resize(pairs_.size(), 0);
+  const long double mean = point.at.truth.seen(0)[channel_];
+  long double before = 0; // the deviation of the query before
   std::vector<std::uint64_t> queries;
   for (std::uint64_t done = 0; done < count_ && sums.same_cut; done += queries.size()) {
     queries.resize(std::min<std::uint64_t>(count_ - done, 256));
-    for (std::size_t i = 0; i < queries.size(); ++i) queries[i] = hashed(seed_, done + i);
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      queries[i] = i % 2 == 0 ? hashed(seed_, done + i) : queries[i - 1] + 1;
+    std::size_t i = 0;
     point.judged.tree.draws(point.at.point, cut, queries, visible, [&](const Cut& one) {
-      if (sums.same_cut) add(one, sums);
+      if (!sums.same_cut) return;
+      add(one, sums);
+      const long double off = one.radiance[int(channel_)] - mean;
+      if (i++ % 2 == 1) sums.successive += before * off;
+      before = off;
     });
   }
   return sums;

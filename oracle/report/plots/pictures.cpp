@@ -20,6 +20,17 @@ void add_rgb(Film& film, const std::string& prefix, const Rendering& r) {
   }
 }
 
+void add_group(Film& film, const GroupPicture& group) {
+  const std::string prefix = "group." + group.name + ".";
+  const auto bound = film.channel(prefix + "bound");
+  for (std::size_t i = 0; i < bound.size(); ++i)
+    bound[i] = static_cast<float>(channel_sum(group.rendering.certified_error[i]));
+  for (int c = 0; c < 3; ++c) {
+    const auto channel = film.channel(prefix + "RGB"[c]);
+    for (std::size_t i = 0; i < channel.size(); ++i) channel[i] = group.rendering.radiance[i][c];
+  }
+}
+
 void add_values(Film& film, const char* name, const std::vector<float>& values) {
   std::copy(values.begin(), values.end(), film.channel(name).begin());
 }
@@ -55,6 +66,7 @@ Film film_of(const PictureSource& source) {
                    {"version", version}};
   add_rgb(film, "", source.rendering);
   if (source.reference != nullptr) add_rgb(film, "reference.", *source.reference);
+  for (const GroupPicture& group : source.groups) add_group(film, group);
   add_values(film, "cut.size", source.rendering.cut_size);
   const auto bound = film.channel("cut.bound");
   for (std::size_t i = 0; i < bound.size(); ++i)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <lightcuts/render/files/output_folder.h>
 #include <lightcuts/render/images/film.h>
 #include <lightcuts/render/view/renderer.h>
+#include <oracle/report/light_groups.h>
 
 namespace lightcuts::oracle {
 
@@ -20,11 +22,13 @@ struct PictureSource {
   std::string scene;
   std::uint64_t seed = 1;
   float threshold = 0;
+  std::span<const GroupPicture> groups = {}; ///< of the same scene
 };
 
 /// Everything as float channels: R G B, reference.R …, cut.size, cut.bound (certified error, summed
 /// over channels), cut.error (true error, likewise), cut.slack (their ratio; 0 where the error is),
-/// rays.shadow, time.us; metadata scene, seed, threshold, version.
+/// rays.shadow, time.us; of each group of lights group.NAME.R …, what it adds to the picture, and
+/// group.NAME.bound, its certified error; metadata scene, seed, threshold, version.
 [[nodiscard]] Film film_of(const PictureSource& source);
 
 /// Stages image.exr, the picture and its heat maps as PNG. Returns captions and file names, in the

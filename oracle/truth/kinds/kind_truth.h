@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <type_traits>
+
 #include <glm/vec3.hpp>
 #include <lightcuts/core/lights/light.h>
 #include <oracle/numbers/dice.h>
@@ -35,6 +37,25 @@ struct UsualKind {
 template <class Real>
 Real axis_cosine(const Light& light, const glm::vec3& x, const Real& distance) {
   return dot_between<Real>(light.axis, light.position, x) / (length<Real>(light.axis) * distance);
+}
+
+/// cosine, which is axis_cosine(), less that of a rim; where that cancels, in 700 bits.
+template <class Real>
+Real beyond_cosine(const Light& light, const glm::vec3& x, const Real& cosine, float rim) {
+  const Real beyond = cosine - Real(rim);
+  if constexpr (!std::is_same_v<Real, Exact>) {
+    if (beyond < Real(0x1p-20) && beyond > Real(-0x1p-20)) {
+      const Exact dot = dot_of_floats(light.axis, light.position, x);
+      Exact distance2 = 0;
+      for (int i = 0; i < 3; ++i) {
+        const Exact d = Exact(x[i]) - Exact(light.position[i]);
+        distance2 += d * d;
+      }
+      const Exact exact = dot / (length<Exact>(light.axis) * square_root<Exact>(distance2));
+      return Real(Exact(exact - Exact(rim)));
+    }
+  }
+  return beyond;
 }
 
 } // namespace lightcuts::oracle::radiometry

@@ -119,7 +119,7 @@ TEST_P(BoundsOf, ShrinkOnRefinement) { for_all("shrinks", check_shrinks); }
 TEST_P(BoundsOf, HaveALowerOneBelowTheTrueContribution) { for_all("lower", check_lower_bound); }
 
 std::string name_of_case(const testing::TestParamInfo<std::tuple<int, int, bool>>& tested) {
-  constexpr const char* kinds[] = {"Omni", "Oriented", "Spot", "Directional"};
+  constexpr const char* kinds[] = {"Omni", "Oriented", "Spot", "Directional", "Profile"};
   constexpr const char* lobes[] = {"Diffuse", "Phong", "Ward", "CookTorrance"};
   const auto [kind, lobe, clamped] = tested.param;
   return std::string(kinds[kind]) + lobes[lobe] + (clamped ? "Clamped" : "");

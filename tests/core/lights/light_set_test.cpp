@@ -150,7 +150,8 @@ Light valid_light(LightKind kind) {
           .intensity = {1, 2, 3},
           .axis = {0, 0, 1},
           .cos_inner = 0.5F,
-          .cos_outer = 0.25F};
+          .cos_outer = 0.25F,
+          .plane = {0, 1, 0}};
 }
 
 /// What is refused of a light that is valid but for what `alter` does to it.
@@ -164,7 +165,7 @@ std::string refusal_of_altered(LightKind kind, Alter&& alter) {
 class LightsAsTheyAre : public testing::TestWithParam<LightKind> {};
 INSTANTIATE_TEST_SUITE_P(EveryKind, LightsAsTheyAre,
                          testing::Values(LightKind::omni, LightKind::oriented, LightKind::spot,
-                                         LightKind::directional),
+                                         LightKind::directional, LightKind::profile),
                          [](const auto& kind) { return std::string(name_of(kind.param)); });
 
 TEST_P(LightsAsTheyAre, AreTakenWhereAllFieldsAreInTheirDomains) {
@@ -206,6 +207,9 @@ TEST_P(LightsAsTheyAre, AreRefusedWhereDirectionsAreNotUnit) {
     EXPECT_EQ(testing::Value(refused(&Light::position),
                              testing::StartsWith("light 1: position has length")),
               is_at_infinity(GetParam()));
+    EXPECT_EQ(
+        testing::Value(refused(&Light::plane), testing::StartsWith("light 1: plane has length")),
+        GetParam() == LightKind::profile);
   }
 }
 
@@ -226,7 +230,7 @@ TEST(LightSet, RefusesRimsThatAreNone) {
 }
 
 TEST(LightSet, RefusesAKindThatThereIsNot) {
-  EXPECT_EQ(refusal_of_altered(LightKind(4), [](Light&) {}), "light 1: kind is 4, not one of 4");
+  EXPECT_EQ(refusal_of_altered(LightKind(5), [](Light&) {}), "light 1: kind is 5, not one of 5");
 }
 
 TEST(LightSet, SaysWhyALightAsItIsIsRefused) {

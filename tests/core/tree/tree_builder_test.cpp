@@ -39,6 +39,29 @@ TEST(Build, YieldsTheNaiveTreeOfManyCoincidentAndBlackLights) {
   EXPECT_EQ(difference_from_naive_tree(lights), "");
 }
 
+std::uint32_t levels_of(const LightTree& tree) {
+  std::vector<std::uint32_t> depth(tree.nodes().size(), 0);
+  std::uint32_t most = 0;
+  for (std::uint32_t i = 0; i < tree.nodes().size(); ++i) {
+    most = std::max(most, depth[i]);
+    if (tree.node(i).is_leaf()) continue;
+    depth[tree.node(i).first_child] = depth[i] + 1;
+    depth[tree.node(i).first_child + 1] = depth[i] + 1;
+  }
+  return most;
+}
+
+TEST(Build, HalvesManyLightsAtOnePlace) {
+  LightSet omni, oriented;
+  for (int i = 0; i < 1 << 12; ++i) {
+    omni.add_omni({1, 2, 3}, glm::vec3(float(i)));
+    oriented.add_oriented({1, i % 2 == 0 ? 0.0F : -0.0F, 3}, {0, i % 4 < 2 ? 1 : -1, 0},
+                          glm::vec3(1));
+  }
+  EXPECT_EQ(levels_of(build(omni)), 12U);
+  EXPECT_EQ(levels_of(build(oriented)), 12U); // two cones of half of them each
+}
+
 Builder any_builder() {
   return *rc::gen::elementOf(
       std::vector<Builder>(std::begin(all_builders), std::end(all_builders)));

@@ -17,12 +17,12 @@ namespace lightcuts::oracle {
 namespace {
 
 // Every kind of light, every lobe, with and without something that occludes, clamped or not.
-constexpr std::array campaign_kinds{"omni", "oriented", "spot", "directional", "mixed"};
+constexpr std::array campaign_kinds{"omni", "oriented", "spot", "directional", "profile", "mixed"};
 constexpr std::array campaign_materials{"diffuse", "phong", "ward", "ggx"};
 constexpr std::array rooms{"&blocks=0", "&blocks=20", "&blocks=0&clamp=0.5",
                            "&blocks=20&clamp=0.5"};
 
-constexpr std::uint64_t pairs_of_scene = 1'275'000;
+constexpr std::uint64_t pairs_of_scene = 1'062'500;
 constexpr std::size_t scene_count =
     campaign_kinds.size() * campaign_materials.size() * rooms.size();
 static_assert(scene_count * pairs_of_scene >= 100'000'000);

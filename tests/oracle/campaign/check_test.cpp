@@ -122,6 +122,16 @@ TEST(Check, ConvictsALowBoundWhereBoundsAreSwept) {
   EXPECT_GT(result.tally[Property::bound_dominates_contribution].violations, 3 * full);
 }
 
+TEST(Check, BoundsBlocksOfNeighbouringPixels) {
+  const Scene scene = shaded_floor_scene(40);
+  const CheckResult result = check_library(scene, check_config(79 * 64));
+  // At places 1 and 33 three points and more, each by all nodes; an excerpt's block is one point.
+  EXPECT_GT(result.tally[Property::block_bound_dominates].cases, 2 * 3 * 79U);
+  const auto subject = mutant_named("block-corner-forgotten")->subject();
+  const Tally tally = check(SceneView(scene), *subject, check_config(79 * 640)).tally;
+  EXPECT_THAT(violated(tally), ElementsAre(Property::block_bound_dominates));
+}
+
 TEST(Check, GoesOnAsIfItHadNotStopped) {
   for (const bool swept : {false, true}) {
     const Scene scene = swept ? diffuse_floor_scene(30) : shaded_floor_scene(30);

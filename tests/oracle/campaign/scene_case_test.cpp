@@ -60,6 +60,20 @@ TEST(SceneCase, OfAMutantFailsAndShrinks) {
   }
 }
 
+TEST(SceneCase, OfABlockHasTheNeighboursThatBoundedTogetherFail) {
+  const Desk desk;
+  const auto subject = mutant_named("block-corner-forgotten")->subject();
+  CheckConfig config = desk.config;
+  config.pairs = 400'000;
+  const CheckResult result = check(desk.view, *subject, config);
+  ASSERT_GT(result.tally[Property::block_bound_dominates].violations, 0U);
+  const auto found = counterexample_of(*subject, desk.view, config, result);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->property, Property::block_bound_dominates);
+  EXPECT_TRUE(is_of_block(found->index));
+  EXPECT_GT(found->on.views.size(), 1U);
+}
+
 TEST(SceneCase, IsNoneOfTheLibrary) {
   const Desk desk;
   const auto subject = library_subject();

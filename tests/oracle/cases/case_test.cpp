@@ -36,6 +36,7 @@ bool is_valid(const Light& light) {
   if (glm::any(glm::lessThan(light.intensity, glm::vec3(0)))) return false;
   if (light.kind == LightKind::directional && !is_unit(light.position)) return false;
   if ((only(light.kind) & kinds_with_axis) != 0 && !is_unit(light.axis)) return false;
+  if (light.kind == LightKind::profile && !is_unit(light.plane)) return false;
   return light.kind != LightKind::spot ||
          (light.cos_inner <= 1 && light.cos_outer >= -1 && light.cos_inner > light.cos_outer);
 }

@@ -27,6 +27,16 @@ TEST(IntensityOfRepresentative, BoundDominatesContribution) {
       {.kind = LightKind::directional,
        .position = {0x0p+0F, 0x0p+0F, 0x1p+0F},
        .intensity = {0x1p+0F, 0x1p+0F, 0x0p+0F}},
+      {.kind = LightKind::profile,
+       .position = {0x0p+0F, 0x1p+1F, 0x1p+0F},
+       .intensity = {0x1p+0F, 0x1p-1F, 0x1p+1F},
+       .axis = {0x0p+0F, 0x0p+0F, -0x1p+0F},
+       .plane = {0x0p+0F, 0x1p+0F, 0x0p+0F},
+       .profile = Profile({.cosines = {0x1p+0F, 0x1p-1F, -0x1p+0F},
+                           .plane_cosines = {0x1p+0F, -0x1p-1F, -0x1p-1F},
+                           .plane_sines = {0x0p+0F, 0x1.bb67aep-1F, -0x1.bb67aep-1F},
+                           .shares = {0x1p+0F, 0x1p-1F, 0x0p+0F, 0x1p+0F, 0x1.8p-1F, 0x1p-2F,
+                                      0x1p+0F, 0x1p-3F, 0x0p+0F}})},
   };
   on.min_distance = 0x1p-4F;
   on.views = {

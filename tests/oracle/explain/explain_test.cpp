@@ -54,6 +54,25 @@ TEST(Explain, ShowsWhereABoundFallsBelowTheTruth) {
   EXPECT_THAT(text, HasSubstr("they part here: channel "));
 }
 
+TEST(Explain, ShowsTheFactorsOfABlocksBoundAndOfThePointWhereItFallsShort) {
+  Case on = two_lights_above();
+  on.views.push_back(on.views.front());
+  on.views[1].view.position = {0, 0, 0.5F}; // where they are twice as near
+  const std::string text = explained("block-corner-forgotten", Property::block_bound_dominates, on);
+  EXPECT_THAT(text, HasSubstr("view 1\n"));
+  EXPECT_THAT(text, HasSubstr("node 0 of 3: 2 lights"));
+  EXPECT_THAT(text, HasSubstr("the block of 2 points"));
+  EXPECT_THAT(text, ContainsRegex("points from +\\(0, 0, 0\\)\n  to +\\(0, 0, 0\\.5\\)\n"));
+  EXPECT_THAT(text, ContainsRegex("suprema over it +from this point +from the block\n"));
+  EXPECT_THAT(text, ContainsRegex("min \\|q\\| +0\\.5 +0\\.5\n"));
+  EXPECT_THAT(text, ContainsRegex("max n\\.l falloff +4 +4 "));
+  EXPECT_THAT(text, ContainsRegex("truth, 700 bits +5\\.09295")); // 16/pi
+  EXPECT_THAT(text, ContainsRegex("library, the block +5\\.0929"));
+  EXPECT_THAT(text, ContainsRegex("subject, the block +1\\.2732"));
+  EXPECT_THAT(text, HasSubstr("the subject's bound of the block 1.27"));
+  EXPECT_THAT(text, ContainsRegex("leaves 1\\.0+[0-9]* for n\\.l falloff; light [01] has 4"));
+}
+
 TEST(Explain, ShowsTheErrorOfAnEstimate) {
   Case on = two_lights_above();
   on.views[0].hidden = {0, 1};

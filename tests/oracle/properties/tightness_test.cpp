@@ -21,7 +21,7 @@
 namespace lightcuts::oracle {
 namespace {
 
-constexpr std::array kinds{"omni", "oriented", "spot", "directional"};
+constexpr std::array kinds{"omni", "oriented", "spot", "directional", "profile"};
 constexpr std::array materials{"diffuse", "phong", "ward", "ggx"};
 constexpr std::uint32_t point_count = 200;
 

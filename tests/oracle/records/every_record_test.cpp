@@ -26,9 +26,9 @@ using testing::IsEmpty;
 template <class R>
 class EveryRecord : public testing::Test {};
 
-using Records =
-    testing::Types<Light, NoLobe, Phong, Ward, CookTorrance, Material, CutConfig, Camera, gen::View,
-                   gen::Scene, CaseView, CaseTriangle, Case, Counterexample, SavedCounterexample>;
+using Records = testing::Types<Light, ProfileTable, NoLobe, Phong, Ward, CookTorrance, Material,
+                               CutConfig, Camera, gen::View, gen::Scene, CaseView, CaseTriangle,
+                               Case, Counterexample, SavedCounterexample>;
 TYPED_TEST_SUITE(EveryRecord, Records);
 
 TYPED_TEST(EveryRecord, ListsAllItsMembers) {
@@ -46,11 +46,12 @@ TEST(UnlikeDefault, IsSoInEveryField) {
   const auto leaves = leaves_of(filled());
   for (const char* path :
        {"lights/0/position", "lights/1/axis", "lights/2/cos_outer", "lights/3/intensity",
-        "views/1/view/material/lobe/phong/exponent", "views/2/view/material/lobe/ward/alpha",
-        "views/3/view/material/lobe/cook-torrance/f0", "views/0/hidden", "cut/unoccluded", "draws",
-        "builds", "questions", "triangles/1/mesh", "camera/up", "image_size"})
+        "lights/4/plane", "lights/4/profile", "views/1/view/material/lobe/phong/exponent",
+        "views/2/view/material/lobe/ward/alpha", "views/3/view/material/lobe/cook-torrance/f0",
+        "views/0/hidden", "cut/unoccluded", "draws", "builds", "questions", "triangles/1/mesh",
+        "camera/up", "image_size"})
     EXPECT_EQ(leaves.count(path), 1U) << path;
-  EXPECT_EQ(leaves.size(), 4 * 3 + 4 + 4 * 5 + 6 + 4 + 4 * 4 + 4 + 6U);
+  EXPECT_EQ(leaves.size(), 5 * 3 + 3 + 4 + 5 * 5 + 6 + 4 + 5 * 4 + 4 + 6U);
   const auto usual = leaves_of(Case{});
   for (const auto& [path, bits] : usual) EXPECT_NE(leaves.at(path), bits) << path;
 }

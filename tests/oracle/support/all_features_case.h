@@ -19,7 +19,16 @@ inline Case all_features_case() {
                 .axis = {0, 0, -1},
                 .cos_inner = 0.875F,
                 .cos_outer = 0.25F},
-               {.kind = LightKind::directional, .position = {0, 0, 1}, .intensity = {1, 1, 0}}};
+               {.kind = LightKind::directional, .position = {0, 0, 1}, .intensity = {1, 1, 0}},
+               {.kind = LightKind::profile,
+                .position = {0, 2, 1},
+                .intensity = {1, 0.5F, 2},
+                .axis = {0, 0, -1},
+                .plane = {0, 1, 0},
+                .profile = Profile({.cosines = {1, 0.5F, -1},
+                                    .plane_cosines = {1, -0.5F, -0.5F},
+                                    .plane_sines = {0, 0.8660254F, -0.8660254F},
+                                    .shares = {1, 0.5F, 0, 1, 0.75F, 0.25F, 1, 0.125F, 0}})}};
   on.min_distance = 0.0625F;
   const glm::vec3 up(0, 0, 1);
   on.views = {

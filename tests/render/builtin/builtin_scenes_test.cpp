@@ -133,7 +133,8 @@ TEST(BuiltinScenes, refuse_bad_values) {
   for (const char* clamp : {"0", "-1", "inf", "nan", "1m", ""})
     refuses(std::string("cloud?clamp=") + clamp,
             "cloud: parameter 'clamp' is '" + std::string(clamp) + "', expected a number above 0");
-  refuses("cloud?kind=laser", "'laser', expected one of omni, oriented, spot, directional, mixed");
+  refuses("cloud?kind=laser",
+          "'laser', expected one of omni, oriented, spot, directional, profile, mixed");
   refuses("cloud?material=metal", "'metal', expected one of diffuse, phong, ward, ggx, glossy");
 }
 
@@ -216,7 +217,8 @@ TEST(CloudScene, has_lights_of_the_kind_asked_for_clamped_where_asked) {
   EXPECT_EQ(kinds("oriented"), std::set{LightKind::oriented});
   EXPECT_EQ(kinds("spot"), std::set{LightKind::spot});
   EXPECT_EQ(kinds("directional"), std::set{LightKind::directional});
-  EXPECT_EQ(kinds("mixed").size(), 4U);
+  EXPECT_EQ(kinds("profile"), std::set{LightKind::profile});
+  EXPECT_EQ(kinds("mixed").size(), 5U);
   EXPECT_EQ(make_builtin("cloud?clamp=0.25").lights.min_distance(), 0.25F);
   EXPECT_EQ(make_builtin("cloud").lights.min_distance(), 0);
 }

@@ -151,5 +151,40 @@ TEST(TextureDecoding, refuses_a_size_that_the_bytes_cannot_hold) {
                  [&] { (void)decode_texture(bytes, "a.exr"); });
 }
 
+/// An EXR file of 4 x 4 pixels in one tile of `side` x `side`, half floats, not compressed.
+std::string one_tile(std::uint32_t side) {
+  const auto word = [](std::uint32_t value) {
+    std::string bytes;
+    for (int i = 0; i < 4; ++i) bytes += char(value >> (8 * i) & 255);
+    return bytes;
+  };
+  const auto attribute = [&](const std::string& name, const std::string& type,
+                             const std::string& value) {
+    return name + '\0' + type + '\0' + word(std::uint32_t(value.size())) + value;
+  };
+  const std::string box = word(0) + word(0) + word(3) + word(3), zero = word(0);
+  std::string channels;
+  for (const char name : {'B', 'G', 'R'})
+    channels += std::string(1, name) + '\0' + word(1) + zero + word(1) + word(1);
+  std::string file =
+      word(20000630) + word(0x202) + attribute("channels", "chlist", channels + '\0') +
+      attribute("compression", "compression", std::string(1, '\0')) +
+      attribute("dataWindow", "box2i", box) + attribute("displayWindow", "box2i", box) +
+      attribute("lineOrder", "lineOrder", std::string(1, '\0')) +
+      attribute("pixelAspectRatio", "float", word(0x3f800000)) +
+      attribute("screenWindowCenter", "v2f", zero + zero) +
+      attribute("screenWindowWidth", "float", word(0x3f800000)) +
+      attribute("tiles", "tiledesc", word(side) + word(side) + '\0') + '\0';
+  constexpr std::uint32_t bytes = 4 * 4 * 3 * 2;
+  file += word(std::uint32_t(file.size()) + 8) + zero; // where the tile begins
+  return file + zero + zero + zero + zero + word(bytes) + std::string(bytes, '\0');
+}
+
+TEST(DecodeTexture, RefusesAFewPixelsInAHugeTileBeforeItAsksForTheMemory) {
+  EXPECT_EQ(decode_texture(one_tile(4), "a.exr").size(), glm::uvec2(4));
+  EXPECT_EQ(decode_texture(one_tile(64), "a.exr").size(), glm::uvec2(4));
+  expect_refusal("truncated: 4 x 4 pixels", [] { (void)decode_texture(one_tile(16384), "a.exr"); });
+}
+
 } // namespace
 } // namespace lightcuts

@@ -58,6 +58,13 @@ TEST(OpenScene, refuses_what_it_does_not_know) {
   refuses("cloud?light=3", "cloud: parameter 'light' is unknown");
 }
 
+TEST(OpenScene, says_in_one_line_what_it_refuses_whatever_files_are_called) {
+  const TemporaryFolder folder;
+  write(folder.path / "a.json", "{\"geometry\": \"a\\nb\"}");
+  expect_refusal("a b: unknown kind of model",
+                 [&] { (void)open_scene((folder.path / "a.json").string()); });
+}
+
 TEST(OpenScene, says_why_it_refuses) {
   const TemporaryFolder folder;
   write(folder.path / "a.obj", obj);

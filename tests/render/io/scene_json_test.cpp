@@ -2,14 +2,16 @@
 #include <lightcuts/render/io/scene_json.h>
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <lightcuts/render/images/film.h>
 #include <lightcuts/render/io/open_scene.h>
 #include <lightcuts/render/lighting/area_lights.h>
-#include <lightcuts/render/lighting/environment_lights.h>
+#include <lightcuts/render/lighting/environment/environment_lights.h>
 #include <lightcuts/render/lighting/light_generator.h>
+#include <lightcuts/render/lighting/shapes/shape_lights.h>
 #include <lightcuts/render/lighting/surfels.h>
 #include <lightcuts/render/lighting/virtual_point_lights.h>
 #include <nlohmann/json.hpp>
@@ -148,17 +150,48 @@ TEST_F(SceneJson, generates_lights_of_every_kind_in_the_order_given) {
     {"position": [1, 5, 1], "intensity": 4},
     {"generate": "cloud", "count": 3},
     {"generate": "area", "count": 4, "seed": 5},
-    {"generate": "environment", "file": "sky.exr", "count": 6},
+    {"generate": "environment", "file": "sky.exr", "count": 6, "turn": 90, "visible": true},
+    {"generate": "rectangle", "position": [1, 4, 1], "normal": [0, -2, 0], "along": [0, 0, 1],
+     "width": 2, "height": 0.5, "radiance": [1, 2, 3], "count": 5, "seed": 3},
+    {"generate": "disc", "position": [1, 4, 1], "normal": [0, -1, 0], "radius": 0.5, "power": 10},
+    {"generate": "sphere", "position": [1, 4, 1], "radius": 0.5, "radiance": 2, "count": 7},
+    {"generate": "tube", "position": [1, 4, 1], "axis": [1, 0, 0], "radius": 0.1, "length": 2,
+     "radiance": 2, "count": 7},
     {"generate": "vpl", "paths": 7, "bounces": 1, "seed": 8},
     {"generate": "surfels", "count": 9, "seed": 10}]})");
   Scene expected = load(R"({"geometry": "lit.obj"})");
   expected.lights.add_omni({1, 5, 1}, glm::vec3(4));
   generate(default_cloud(expected.mesh, 3, 1), expected.lights);
   add_area_lights(expected, {.count = 4, .seed = 5});
-  add_environment_lights(expected, read_environment(folder_.path / "sky.exr"), {.count = 6});
+  add_environment_lights(expected, read_environment(folder_.path / "sky.exr"),
+                         {.turn = 90, .visible = true, .count = 6});
+  add_shape_lights(expected, {.kind = ShapeKind::rectangle,
+                              .centre = {1, 4, 1},
+                              .axis = {0, -1, 0},
+                              .along = {0, 0, 1},
+                              .sides = {2, 0.5F},
+                              .radiance = {1, 2, 3},
+                              .count = 5,
+                              .seed = 3});
+  ShapeLights disc{.kind = ShapeKind::disc, .centre = {1, 4, 1}, .radius = 0.5F};
+  disc.radiance = glm::vec3(float(10 / (std::numbers::pi * area_of(disc))));
+  add_shape_lights(expected, disc);
+  add_shape_lights(expected, {.kind = ShapeKind::sphere,
+                              .centre = {1, 4, 1},
+                              .radius = 0.5F,
+                              .radiance = glm::vec3(2),
+                              .count = 7});
+  add_shape_lights(expected, {.kind = ShapeKind::tube,
+                              .centre = {1, 4, 1},
+                              .axis = {1, 0, 0},
+                              .radius = 0.1F,
+                              .length = 2,
+                              .radiance = glm::vec3(2),
+                              .count = 7});
   add_virtual_point_lights(expected, {.paths = 7, .bounces = 1, .seed = 8});
   add_surfels(expected, {.count = 9, .seed = 10});
-  EXPECT_GT(scene.lights.size(), 1U + 3 + 4 + 6 + 9);
+  EXPECT_EQ(scene.backdrops.size(), 1U);
+  EXPECT_GT(scene.lights.size(), 1U + 3 + 4 + 6 + 5 + 64 + 7 + 7 + 9);
   EXPECT_TRUE(test::same_bits(scene.lights, expected.lights));
   EXPECT_EQ(scene.notes, expected.notes);
 }
@@ -169,7 +202,7 @@ TEST_F(SceneJson, refuses_bad_lights_naming_the_element) {
             "/lights/1" + part);
   };
   light(R"("type": "point")",
-        "/type is 'point', expected one of omni, oriented, spot, directional");
+        "/type is 'point', expected one of omni, oriented, spot, directional, profile");
   light(R"("type": 5)", "/type is a number, expected a string");
   light(R"("type": "oriented", "position": [0, 0, 0], "intensity": 1)", "/normal is missing");
   light(R"("type": "oriented", "position": [0, 0, 0], "intensity": 1, "normal": [0, 0, 0])",
@@ -196,7 +229,8 @@ TEST_F(SceneJson, refuses_bad_generators_naming_the_element) {
     refuses(R"("lights": [{"generate": )" + text + "}]", "/lights/0" + part);
   };
   generator(R"("sun")",
-            "/generate is 'sun', expected 'cloud', 'area', 'environment', 'vpl' or 'surfels'");
+            "/generate is 'sun', expected 'cloud', 'area', 'environment', 'vpl', 'surfels', "
+            "'rectangle', 'disc', 'sphere' or 'tube'");
   generator("1", "/generate is a number, expected a string");
   generator(R"("cloud", "paths": 1)", "/paths is unknown; known: generate, count");
   generator(R"("area")", "/count is missing");
@@ -208,12 +242,49 @@ TEST_F(SceneJson, refuses_bad_generators_naming_the_element) {
     (void)load_with(R"("lights": [{"generate": "environment", "file": "absent.exr"}])");
   });
   generator(R"("environment", "file": "a.exr", "count": 0)", "/count is 0, expected");
+  generator(R"("environment", "file": "a.exr", "turn": "east")", "/turn is a string, expected");
+  generator(R"("environment", "file": "a.exr", "visible": 1)", "/visible is a number, expected");
+  const std::string ball = R"("sphere", "position": [0, 1, 0], )";
+  generator(ball + R"("radius": 1)", " needs either radiance or power");
+  generator(ball + R"("radius": 1, "power": 1, "radiance": 1)", " needs either radiance or power");
+  generator(ball + R"("radius": 0, "power": 1)", "/radius is 0, expected more than 0");
+  generator(ball + R"("radius": 1, "power": 1, "length": 1)", "/length is unknown; known: ");
+  generator(ball + R"("radius": 1, "power": -1)", "/power is negative");
+  generator(R"("rectangle", "position": [0, 1, 0], "normal": [0, 1, 0], "along": [0, 2, 0],
+               "width": 1, "height": 1, "radiance": 1)",
+            ": rectangle light: along is parallel to the normal");
   generator(R"("vpl", "count": 5)", "/count is unknown; known: generate, paths, bounces, seed");
   generator(R"("vpl", "paths": -5)", "/paths is -5, expected");
   generator(R"("vpl", "paths": 5, "bounces": 1001)", "/bounces is 1001, expected");
   generator(R"("vpl", "paths": 5)", ": VPLs: no light to start from");
   generator(R"("surfels", "count": 5, "seed": -1)", "/seed is -1, expected");
   generator(R"("surfels", "count": 5)", ": surfels: no light to reflect");
+}
+
+TEST_F(SceneJson, names_groups_of_lights_and_of_what_is_generated) {
+  const Scene scene = load_with(R"("lights": [
+    {"group": "sun", "type": "directional", "direction": [0, -1, 0], "irradiance": 1},
+    {"position": [1, 1, 1], "intensity": 1},
+    {"group": "lamps", "position": [1, 1, 1], "intensity": 1},
+    {"group": "lamps", "generate": "cloud", "count": 5},
+    {"group": "sun", "generate": "vpl", "paths": 3, "bounces": 1}])");
+  ASSERT_EQ(scene.groups.size(), 3U);
+  EXPECT_EQ(scene.groups[0], (LightGroup{"sun", 0, 1}));
+  EXPECT_EQ(scene.groups[1], (LightGroup{"lamps", 2, 6}));
+  EXPECT_EQ(scene.groups[2], (LightGroup{"sun", 8, scene.lights.size() - 8}));
+  EXPECT_TRUE(load_with(R"("lights": [{"position": [1, 1, 1], "intensity": 1}])").groups.empty());
+}
+
+TEST_F(SceneJson, refuses_names_that_no_channel_can_have) {
+  const auto group = [&](const std::string& name, const std::string& part) {
+    refuses(R"("lights": [{"position": [0, 1, 0], "intensity": 1, "group": )" + name + "}]",
+            "/lights/0/group" + part);
+  };
+  group("5", " is a number, expected a string");
+  for (const char* name : {R"("")", R"("a.b")", R"("é")", R"("a/b")"})
+    group(name, " is not a name of up to 64 letters, digits, '-', '_' and blanks");
+  group("\"" + std::string(65, 'a') + "\"", " is not a name");
+  group(R"("others")", " is 'others', which is what has no group");
 }
 
 TEST_F(SceneJson, refuses_bad_distances) {

@@ -5,6 +5,7 @@
 #include <lightcuts/core/blocks/block_cut_selector.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <lightcuts/render/builtin/builtin_scenes.h>
+#include <lightcuts/render/shafts/shaft_prover.h>
 #include <lightcuts/render/view/renderer.h>
 
 namespace lightcuts {
@@ -41,10 +42,11 @@ TEST(PixelSquare, IsLitAsAWhole) {
   BlockCutSelector select(room.tree, room.config.cut, room.config.seed);
   for (const glm::uvec2 corner : {glm::uvec2(0, 0), glm::uvec2(16, 8)}) {
     const PixelSquare square(view, corner);
-    const auto cuts =
-        select(square.points, square.query, [&](std::uint32_t p, std::uint32_t light) {
-          return view.casts_to(square.seen[p], light);
-        });
+    const auto sees = [&](std::uint32_t p, std::uint32_t light) {
+      return view.casts_to(square.seen[p], light);
+    };
+    ShaftProver proven(view.triangles(), square.ray_origins());
+    const auto cuts = select(square.points, square.query, {sees, &proven});
     for (std::size_t k = 0; k < cuts.size(); ++k) {
       const std::size_t i = std::size_t(square.pixels[k].y) * 21 + square.pixels[k].x;
       EXPECT_EQ(picture.radiance[i], cuts[k].radiance);

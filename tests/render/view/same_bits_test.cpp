@@ -137,7 +137,7 @@ std::vector<std::string> scenes() {
   std::vector<std::string> specs;
   for (const BuiltinScene& scene : builtin_scenes())
     if (scene.name != "cloud") specs.push_back(scene.name);
-  for (const char* kind : {"omni", "oriented", "spot", "directional", "mixed"})
+  for (const char* kind : {"omni", "oriented", "spot", "directional", "profile", "mixed"})
     for (const char* material : {"diffuse", "phong", "ward", "ggx"})
       for (const char* clamp : {"", "&clamp=0.7"})
         for (const int blocks : {0, 20})

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <viz/gl/scene/light_batch.h>
 
+#include <numbers>
+
 #include <glm/geometric.hpp>
+#include <lightcuts/render/lighting/profiles/profile_light.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -10,6 +13,9 @@ glm::vec4 ramp_of(const Light& light) {
   if (!has_axis(light.kind)) return {0, 0, 0, 1};
   const glm::dvec3 axis = glm::normalize(glm::dvec3(light.axis));
   if (light.kind == LightKind::oriented) return glm::vec4(axis, 0);
+  // The preview knows cosines and no tables: as bright as the profile is in the mean.
+  if (light.kind == LightKind::profile)
+    return {0, 0, 0, solid_share(light.profile.table()) / (4 * std::numbers::pi)};
   const double scale = 1 / (double(light.cos_inner) - light.cos_outer);
   return glm::vec4(scale * axis, -scale * light.cos_outer);
 }

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <lightcuts/core/blocks/block_cut_selector.h>
 #include <lightcuts/core/numerics/exact_dot.h>
+#include <lightcuts/render/shafts/shaft_prover.h>
 #include <lightcuts/render/view/pixel_square.h>
 #include <oracle/properties/point_case.h>
 #include <oracle/truth/clairvoyant.h>
@@ -74,7 +75,9 @@ private:
       return view_.sees(square.seen[p], light);
     };
     const auto own = std::ranges::find(square.pixels, key_.pixel) - square.pixels.begin();
-    const BlockCut cut = select(square.points, square.query, sees_light, &clusters_)[own];
+    ShaftProver proven(view_.triangles(), square.ray_origins());
+    const BlockCut cut =
+        select(square.points, square.query, {sees_light, &proven}, &clusters_)[own];
     return {.radiance = cut.radiance,
             .certified_error = cut.certified_error,
             .clusters = clusters_[std::size_t(own)],

@@ -51,7 +51,7 @@ BlockCutSelector::operator()(std::span<const BlockPoint> points, std::uint64_t q
   const auto from_member = [&](std::uint32_t p, std::uint32_t light) {
     return visible(members_[p], light);
   };
-  const BlockVisibility by_members(from_member);
+  const BlockVisibility by_members(from_member, visible.proven());
   visible_ = &by_members;
   for (Members& group : groups_of_like_lobes(points)) light(std::move(group));
   return cuts_;
@@ -85,7 +85,9 @@ void BlockCutSelector::light(Members members) {
 
 bool BlockCutSelector::walk(const ShadingBlock& block) {
   evidence_.start(points_, splitmix64(seed_ ^ query_) + members_.front());
-  chain_.start(block);
+  ProvenVisibility* const proven = config_.unoccluded ? nullptr : visible_->proven();
+  if (proven != nullptr) proven->start(members_);
+  chain_.start(block, proven);
   block_ = &block;
   lows_.clear();
   share_.start(places_);
@@ -154,8 +156,9 @@ void BlockCutSelector::settle(Members& open) {
     if (chain_.ended() || obeys(evidence_.total(chain_.clusters().size(), p))) group_.push_back(p);
   if (group_.empty()) return;
   bound_sum_ = glm::dvec3(0);
-  for (const CutChain::Link& c : chain_.clusters()) bound_sum_ += glm::dvec3(c.bound);
-  if (config_.unoccluded) bound_below();
+  for (const CutChain::Link& c : chain_.clusters())
+    if (!is_seen(c)) bound_sum_ += glm::dvec3(c.bound);
+  bound_below();
   if (config_.unoccluded)
     for (const std::uint32_t p : group_)
       finish(p, evidence_.total(chain_.clusters().size(), p), nullptr, 0);
@@ -213,7 +216,8 @@ void BlockCutSelector::share_out(const Members& lookers) {
   shares_.resize(count * stride);
   for (std::size_t place = 0; place < count; ++place) {
     const std::span<float> shares = std::span(shares_).subspan(place * stride, stride);
-    if (tree_->node(chain_.clusters()[place].node).is_leaf())
+    const CutChain::Link& cluster = chain_.clusters()[place];
+    if (tree_->node(cluster.node).is_leaf() || cluster.proof.sight != ProvenSight::unknown)
       for (std::size_t i = 0; i < stride; ++i)
         shares[i] = evidence_.sees(place, group_[i]) ? 1.0F : 0.0F;
     else
@@ -264,19 +268,18 @@ CutEnd BlockCutSelector::end_of(std::uint32_t p, const glm::dvec3& total) const 
 void BlockCutSelector::bound_below() {
   lows_.resize(chain_.clusters().size());
   for (std::size_t place = 0; place < lows_.size(); ++place) {
-    const std::uint32_t node = chain_.clusters()[place].node;
-    if (lows_[place].node != node)
-      lows_[place] = {node, contribution_lower_bound(*tree_, node, *block_)};
+    const CutChain::Link& cluster = chain_.clusters()[place];
+    if (is_seen(cluster) && lows_[place].node != cluster.node)
+      lows_[place] = {cluster.node, contribution_lower_bound(*tree_, cluster.node, *block_)};
   }
 }
 
 glm::dvec3 BlockCutSelector::error_bound(std::uint32_t p) const {
-  if (!config_.unoccluded) return bound_sum_;
+  glm::dvec3 sum = bound_sum_;
   // Estimate and truth lie between lower and upper bound.
-  glm::dvec3 sum(0);
   for (std::size_t place = 0; place < chain_.clusters().size(); ++place) {
     const CutChain::Link& cluster = chain_.clusters()[place];
-    if (cluster.bound == glm::vec3(0)) continue;
+    if (cluster.bound == glm::vec3(0) || !is_seen(cluster)) continue;
     const glm::dvec3 high(cluster.bound);
     const glm::dvec3 low(lows_[place].bound);
     const glm::dvec3 estimate = evidence_.open(place, p);

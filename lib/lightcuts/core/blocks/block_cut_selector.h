@@ -39,7 +39,9 @@ struct BlockCut {
 /// another light of the cluster: see BlockEvidence and VisibleShare. A point whose own evidence
 /// contradicts these shares, or to which they leave too much chance, asks for several lights of
 /// each cluster and keeps to what it saw itself. A smaller threshold refines a cut but for what a
-/// share changes by the points that look at a cluster with it. One selector per thread.
+/// share changes by the points that look at a cluster with it. Where BlockVisibility::proven()
+/// tells that a block sees a cluster or does not, nobody asks, and the error certified is of what
+/// is known: two-sided where it is seen, 0 where it is hidden. One selector per thread.
 class BlockCutSelector {
 public:
   /// The tree must outlive the selector. Throws InputError, naming the field, where the
@@ -80,6 +82,10 @@ private:
   /// Sees to it that lows_ are those of this cut.
   void bound_below();
   [[nodiscard]] glm::dvec3 error_bound(std::uint32_t p) const;
+  /// Whether no point of the block can fail to see the cluster.
+  [[nodiscard]] bool is_seen(const CutChain::Link& cluster) const {
+    return config_.unoccluded || cluster.proof.sight == ProvenSight::seen;
+  }
 
   const LightTree* tree_;
   CutConfig config_;
@@ -105,12 +111,12 @@ private:
 
   // Of the cut that the chain has come to.
   glm::vec3 largest_bound_{0}; ///< above the black level
-  glm::dvec3 bound_sum_{0};
+  glm::dvec3 bound_sum_{0};    ///< of those that are not proven to be seen
   struct Low {
     std::uint32_t node = 0xffffffff;
     glm::vec3 bound{0};
   };
-  std::vector<Low> lows_;      ///< lower bounds where nothing occludes, by place in the cut
+  std::vector<Low> lows_;      ///< lower bounds of those that are seen, by place in the cut
   Members group_;              ///< p
   std::vector<float> closely_; ///< by place in the cut
   std::vector<float> shares_;  ///< by place in the cut, then in the group

@@ -31,13 +31,17 @@ void BlockEvidence::look(std::span<const CutChain::Link> clusters,
   constexpr std::size_t fewest = 16; // of whom a quarter speaks for the others
   if (seen_.size() < clusters.size() * stride_) seen_.resize(clusters.size() * stride_);
   for (std::size_t place = 0; place < clusters.size(); ++place) {
-    const auto& [node, bound, exact] = clusters[place];
+    const auto& [node, bound, exact, proof] = clusters[place];
     Seen* const row = &seen_[place * stride_];
     unknown_.clear();
     for (const std::uint32_t p : points)
       if (row[p].node != node) unknown_.push_back(p);
+    if (proof.sight == ProvenSight::hidden) {
+      for (const std::uint32_t p : unknown_) row[p] = {.node = node, .visible = false};
+      continue;
+    }
     if (!unknown_.empty()) open_up(node, bound, row);
-    if (unoccluded_) continue;
+    if (unoccluded_ || proof.sight == ProvenSight::seen) continue;
     if (exact)
       for (const std::uint32_t p : points)
         if (row[p].taken_over) unknown_.push_back(p);
@@ -88,7 +92,8 @@ void BlockEvidence::look_closely(std::span<const CutChain::Link> clusters, std::
     const std::uint32_t node = clusters[place].node;
     const Seen& own = seen_[place * stride_ + point];
     shares[place] = own.visible ? 1 : 0;
-    if (own.open != glm::dvec3(0) && !tree_->node(node).is_leaf())
+    if (own.open != glm::dvec3(0) && !tree_->node(node).is_leaf() &&
+        clusters[place].proof.sight == ProvenSight::unknown)
       shares[place] = share_of_several(node, point, visible, shares[place]);
   }
 }

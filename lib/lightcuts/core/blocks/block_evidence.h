@@ -28,8 +28,8 @@ public:
 
   /// Looks at all clusters from these points (their indices, ascending), if that has not been done.
   /// Where a quarter of them, spread evenly, agree on whether they see a cluster, the others take
-  /// that over without asking. visible(p, light) of point p, called only for lights above its
-  /// horizon.
+  /// that over without asking; nobody asks where it is proven. visible(p, light) of point p, called
+  /// only for lights above its horizon.
   void look(std::span<const CutChain::Link> clusters, std::span<const std::uint32_t> points,
             const BlockVisibility& visible);
   /// The point asks for itself where it has taken over what others see; false: nowhere.

@@ -7,18 +7,24 @@
 
 namespace lightcuts {
 
-void CutChain::start(const ShadingBlock& block) {
+void CutChain::start(const ShadingBlock& block, ProvenVisibility* proven) {
   block_ = &block;
-  clusters_.assign(1, link(0));
+  proven_ = proven;
+  clusters_.assign(1, link(0, {}));
   weight_ = glm::dvec3(1);
   queue_.clear();
   steps_ = 0;
   push(0);
 }
 
-CutChain::Link CutChain::link(std::uint32_t node) const {
-  if (config_.unoccluded && tree_->node(node).is_leaf()) return {node, glm::vec3(0), true};
-  return {node, contribution_bound(*tree_, node, *block_), false};
+CutChain::Link CutChain::link(std::uint32_t node, const ProvenVisibility::Proof& within) const {
+  ProvenVisibility::Proof proof = within;
+  if (proven_ != nullptr && within.sight == ProvenSight::unknown)
+    proof = proven_->prove(tree_->node(node), within);
+  if (proof.sight == ProvenSight::hidden) return {node, glm::vec3(0), false, proof};
+  const bool is_seen = config_.unoccluded || proof.sight == ProvenSight::seen;
+  if (is_seen && tree_->node(node).is_leaf()) return {node, glm::vec3(0), true, proof};
+  return {node, contribution_bound(*tree_, node, *block_), false, proof};
 }
 
 glm::vec3 CutChain::largest_bound() const {
@@ -45,8 +51,9 @@ void CutChain::refine() {
     return;
   }
   const std::uint32_t first = tree_->node(clusters_[place].node).first_child;
-  clusters_[place] = link(first);
-  clusters_.push_back(link(first + 1));
+  const ProvenVisibility::Proof proof = clusters_[place].proof;
+  clusters_[place] = link(first, proof);
+  clusters_.push_back(link(first + 1, proof));
   push(place);
   push(static_cast<std::uint32_t>(clusters_.size() - 1));
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
+#include <lightcuts/core/blocks/proven_visibility.h>
 #include <lightcuts/core/cut/cut.h>
 #include <lightcuts/core/lobes/shading_block.h>
 #include <lightcuts/core/tree/light_tree.h>
@@ -16,7 +17,8 @@ namespace lightcuts {
 
 /// The cuts that a block of shading points goes through, from the root on: each refines the one
 /// before, the cluster of the largest bound first, relative to a total that it is told. A leaf is
-/// at first a cluster as others are, whose light some points may see for others. What comes
+/// at first a cluster as others are, whose light some points may see for others. A cluster that is
+/// proven to be hidden has a bound of 0, and so has a leaf that is proven to be seen. What comes
 /// next does not depend on any threshold, so that a point that is content with less stops earlier
 /// on the same way.
 class CutChain {
@@ -25,6 +27,7 @@ public:
     std::uint32_t node;
     glm::vec3 bound; ///< of what the cluster contributes to any point of the block; 0 if exact
     bool exact;      ///< a leaf that each point sees for itself
+    ProvenVisibility::Proof proof = {};
   };
 
   /// The tree must outlive the chain.
@@ -34,8 +37,9 @@ public:
   /// a leaf exact.
   [[nodiscard]] std::size_t steps() const { return steps_; }
 
-  /// Back to the root, for a block that outlives what is asked until the next start.
-  void start(const ShadingBlock& block);
+  /// Back to the root, for a block that outlives what is asked until the next start, as does what
+  /// has started to prove what its points see; null: nothing.
+  void start(const ShadingBlock& block, ProvenVisibility* proven = nullptr);
 
   /// The cut come to. A cluster keeps its place until it is refined; one of its children takes
   /// that place then, the other the next at the end.
@@ -62,7 +66,7 @@ private:
   [[nodiscard]] bool is_leaf(std::uint32_t place) const {
     return tree_->node(clusters_[place].node).is_leaf();
   }
-  [[nodiscard]] Link link(std::uint32_t node) const;
+  [[nodiscard]] Link link(std::uint32_t node, const ProvenVisibility::Proof& within) const;
   [[nodiscard]] double key(const glm::vec3& bound) const;
   void push(std::uint32_t place);
   void refine();
@@ -70,6 +74,7 @@ private:
   const LightTree* tree_;
   CutConfig config_;
   const ShadingBlock* block_ = nullptr;
+  ProvenVisibility* proven_ = nullptr;
   std::vector<Link> clusters_;
   std::vector<Keyed> queue_; ///< heap of the clusters with a bound above 0
   glm::dvec3 weight_{1};

@@ -19,6 +19,7 @@ namespace lightcuts {
 ///
 /// n.l, diffuse surfaces, falloff: 2^-34. dot_error and a few roundings of 2^-53.
 /// Oriented lights: 2^-34, likewise. Spots: 2^-31, the square of a ramp that errs by 2^-33.
+/// Luminaires: 2^-31, see Luminaire::emission().
 /// Phong, about ShadingFrame::mirror(): 2^-28. cos(r,l) errs by 2^-50, and by 2^-34 of it however
 ///   small it is; the exponent is at most 2^20, and 280/ln(1/cos) where anything is left of the
 ///   power.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <lightcuts/core/kinds/directional.h>
+#include <lightcuts/core/kinds/luminaire.h>
 #include <lightcuts/core/kinds/omni.h>
 #include <lightcuts/core/kinds/oriented.h>
 #include <lightcuts/core/kinds/spot.h>
@@ -22,7 +23,7 @@ namespace lightcuts {
 ///                            included
 ///   mean_emission(e, representative, centroid, x)  its mean over the cluster, a guess
 ///   second_moment_factor     what the spread of the cluster's positions adds to an estimate
-using LightKindList = std::tuple<Omni, Oriented, Spot, Directional>;
+using LightKindList = std::tuple<Omni, Oriented, Spot, Directional, Luminaire>;
 static_assert(std::tuple_size_v<LightKindList> == std::size_t(light_kind_count));
 
 /// Calls f with an object of the kind's type.

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/vec3.hpp>
 #include <lightcuts/core/kinds/cone_bounds.h>
+#include <lightcuts/core/kinds/rim_distance.h>
 #include <lightcuts/core/kinds/towards.h>
 #include <lightcuts/core/lights/light.h>
 #include <lightcuts/core/tree/cluster_moments.h>
@@ -20,10 +20,8 @@ struct Spot {
   static double emission(const Light& light, const glm::vec3& x) {
     const detail::AxisCosine towards = detail::axis_cosine(light, x);
     if (!towards.defined) return 0;
-    // The cosine errs by 2^-50; where that is too much for the difference:
-    double rim = towards.cosine - light.cos_outer;
-    if (std::abs(rim) < 0x1p-17 && towards.cosine * light.cos_outer > 0)
-      rim = exact_rim_distance(light, x);
+    const double rim =
+        detail::rim_distance(light.axis, light.position, x, towards.cosine, light.cos_outer);
     const double t = std::clamp(rim / (double(light.cos_inner) - light.cos_outer), 0.0, 1.0);
     return t * t;
   }
@@ -50,10 +48,6 @@ struct Spot {
   }
 
 private:
-  /// cos(axis, x - y) - cos_outer, relative error 2^-40, in exact arithmetic; both have the same
-  /// sign.
-  static double exact_rim_distance(const Light& light, const glm::vec3& x);
-
   /// t^2 of a ramp that begins at cos_outer.
   static double ramp2(const ClusterEmission& e, double cosine) {
     const double t = (cosine - e.cos_outer) / (double(e.cos_inner) - e.cos_outer);

@@ -20,16 +20,20 @@ struct AxisCosine {
   bool defined = false;
 };
 
-[[nodiscard]] inline AxisCosine axis_cosine(const Light& light, const glm::vec3& x) {
-  const double dot = dot_between(light.axis, light.position, x);
+[[nodiscard]] inline AxisCosine axis_cosine(const glm::vec3& axis, const glm::vec3& y,
+                                            const glm::vec3& x) {
+  const double dot = dot_between(axis, y, x);
   double squared_length = 0, axis2 = 0;
   for (int i = 0; i < 3; ++i) {
-    const double d = double(x[i]) - light.position[i];
+    const double d = double(x[i]) - y[i];
     squared_length += d * d;
-    axis2 += double(light.axis[i]) * light.axis[i];
+    axis2 += double(axis[i]) * axis[i];
   }
   if (squared_length == 0) return {};
   return {dot / std::sqrt(squared_length * axis2), true};
+}
+[[nodiscard]] inline AxisCosine axis_cosine(const Light& light, const glm::vec3& x) {
+  return axis_cosine(light.axis, light.position, x);
 }
 
 } // namespace detail

@@ -59,6 +59,7 @@ private:
                            std::to_string(light_kind_count));
   }
   void require_in(const Domain& /*known*/, const char* /*field*/, LightKind /*kind*/) const {}
+  void require_in(const Domain& /*valid*/, const char* /*field*/, const Profile& /*p*/) const {}
   void require_in(const Domain& domain, const char* field, float value) const {
     if (value >= domain.least && value <= domain.most) return; // NaN is not
     refuse(std::isfinite(value) ? InputFault::out_of_domain : InputFault::not_finite, field, value,
@@ -130,6 +131,16 @@ void LightSet::add_spot(const glm::vec3& position, const glm::vec3& axis,
         .axis = axis,
         .cos_inner = cos_inner,
         .cos_outer = std::min(cos_outer, std::nextafter(cos_inner, -2.0F))});
+}
+
+void LightSet::add_profile(const glm::vec3& position, const glm::vec3& axis, const glm::vec3& plane,
+                           const glm::vec3& intensity, const Profile& profile) {
+  add({.kind = LightKind::profile,
+       .position = position,
+       .intensity = intensity,
+       .axis = axis,
+       .plane = plane,
+       .profile = profile});
 }
 
 void LightSet::add_directional(const glm::vec3& travel, const glm::vec3& irradiance) {

@@ -29,6 +29,11 @@ public:
   void add_spot(const glm::vec3& position, const glm::vec3& axis, const glm::vec3& intensity,
                 float inner_angle, float outer_angle);
 
+  /// A luminaire: intensity, W/sr, where the profile's share is 1; axis and plane as of Light, both
+  /// unit.
+  void add_profile(const glm::vec3& position, const glm::vec3& axis, const glm::vec3& plane,
+                   const glm::vec3& intensity, const Profile& profile);
+
   /// travel: unit, the direction in which its light goes; irradiance of a surface facing it, W/m^2.
   void add_directional(const glm::vec3& travel, const glm::vec3& irradiance);
 

@@ -26,7 +26,7 @@
 ///
 /// Whatever reads, writes, compares or simplifies records does so for all of them by that list. A
 /// field is a number, truth value, text, GLM vector, enum or choice with names, record, variant of
-/// records that have a `name` each, or a std::vector or std::optional of such.
+/// records that have a `name` each, shared record, or a std::vector or std::optional of such.
 namespace lightcuts {
 
 /// Where the values of a field lie; of a vector, each of its components.
@@ -81,6 +81,14 @@ struct AnyField {
 template <class R>
 concept Record = requires {
   std::remove_const_t<R>::fields(detail::AnyField{});
+};
+
+/// A value that gives its record, a T::Table, by table(), and is made of one, unless it throws
+/// InputError: the record is large, and copies share it.
+template <class T>
+concept SharedRecord = Record<typename T::Table> && std::is_constructible_v<T, typename T::Table> &&
+    requires(const T& value) {
+  { value.table() } -> std::convertible_to<const typename T::Table&>;
 };
 
 /// Calls f(Field) for each field that such a record can have.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <lightcuts/core/tree/cluster_index.h>
+#include <lightcuts/core/tree/coincident_clusters.h>
 
 namespace lightcuts {
 namespace {
@@ -39,6 +40,7 @@ void merge_half(ClusterIndex& index, Dendrogram& record) {
 } // namespace
 
 Cluster cluster_greedily(std::vector<Cluster> clusters, Dendrogram& record) {
+  clusters = merge_coincident(std::move(clusters), record);
   while (clusters.size() > 1) {
     ClusterIndex index(std::move(clusters));
     merge_half(index, record);

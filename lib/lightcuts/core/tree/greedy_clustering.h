@@ -7,8 +7,9 @@
 
 namespace lightcuts {
 
-/// Merges the clusters, at least one, to one as greedy clustering does: the cheapest pair of all
-/// each time, that with the lowest ids among equals.
+/// Merges the lights of one kind, at least one, to one cluster as greedy clustering does: the
+/// cheapest pair of all each time, that with the lowest ids among equals; but lights that coincide
+/// first, as merge_coincident() has it.
 Cluster cluster_greedily(std::vector<Cluster> clusters, Dendrogram& record);
 
 } // namespace lightcuts

@@ -39,10 +39,11 @@ struct BuildConfig {
 /// cluster's representative is that of one of its children, with probability proportional to their
 /// intensities.
 ///
-/// Builder::greedy merges again and again the cheapest of all pairs, that with the lowest light
-/// indices among equals. Nearest-neighbour chains over a k-d tree find that tree in near-linear
-/// time (Walter et al. 2008, "Fast Agglomerative Clustering for Rendering"); naive search gives the
-/// same.
+/// Builder::greedy merges lights of the same position and axis first, in halves by index, so that
+/// many at one place make a balanced tree; then again and again the cheapest of all pairs, that
+/// with the lowest light indices among equals. Nearest-neighbour chains over a k-d tree find that
+/// tree in near-linear time (Walter et al. 2008, "Fast Agglomerative Clustering for Rendering");
+/// naive search gives the same.
 ///
 /// Builder::locally_ordered is parallel locally-ordered clustering (Meister and Bittner 2018): in
 /// rounds, each cluster looks for its cheapest partner among eight neighbours on a Morton curve,

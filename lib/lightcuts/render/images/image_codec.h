@@ -27,7 +27,8 @@ struct ImageInfo {
   std::vector<std::string> channels;             ///< names, R, G and B first where there are such
   std::map<std::string, std::string> attributes; ///< else what the file says in text
   std::string format;              ///< of a file that is read, such as "png" or "openexr"
-  std::uintmax_t stored_bytes = 0; ///< of its samples as they are stored, but not compressed
+  std::uintmax_t stored_bytes = 0; ///< of its samples as they are stored, whole tiles, but not
+                                   ///< compressed
 
   [[nodiscard]] std::size_t pixel_count() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <lightcuts/render/io/json_lights.h>
 
+#include <algorithm>
+#include <cctype>
+#include <map>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <lightcuts/render/io/ies/ies_file.h>
+#include <lightcuts/render/io/json_shapes.h>
 #include <lightcuts/render/lighting/area_lights.h>
-#include <lightcuts/render/lighting/environment_lights.h>
+#include <lightcuts/render/lighting/environment/environment_lights.h>
 #include <lightcuts/render/lighting/light_generator.h>
 #include <lightcuts/render/lighting/light_kinds.h>
 #include <lightcuts/render/lighting/surfels.h>
@@ -14,8 +20,39 @@
 namespace lightcuts {
 namespace {
 
-void add_single(const JsonElement& light, LightSet& lights) {
-  for (const char* generator : {"area", "cloud", "environment", "vpl", "surfels"})
+/// Files of luminaires that a scene names, each read once.
+class LuminaireFiles {
+public:
+  LuminaireFiles(const std::filesystem::path& folder, const FileAccess& access,
+                 std::vector<std::string>& notes)
+      : folder_(folder), access_(access), notes_(notes) {}
+
+  const IesLuminaire& luminaire(const JsonElement& file) {
+    const std::filesystem::path path = folder_ / file.path();
+    access_.require(path, file.label());
+    const auto [known, is_new] = read_.try_emplace(path);
+    if (is_new) {
+      try {
+        known->second = load_ies(path);
+      } catch (...) {
+        read_.erase(known);
+        throw;
+      }
+      notes_.insert(notes_.end(), known->second.notes.begin(), known->second.notes.end());
+    }
+    return known->second;
+  }
+
+private:
+  const std::filesystem::path& folder_;
+  const FileAccess& access_;
+  std::vector<std::string>& notes_;
+  std::map<std::filesystem::path, IesLuminaire> read_;
+};
+
+void add_single(const JsonElement& light, LightSet& lights, LuminaireFiles& files) {
+  for (const char* generator :
+       {"area", "cloud", "environment", "vpl", "surfels", "rectangle", "disc", "sphere", "tube"})
     if (light.has("type") && light["type"].is_string() && light["type"].string() == generator)
       light["type"].refuse(InputFault::unknown_name,
                            fmt::format("is '{0}', which is no light by itself: write \"generate\": "
@@ -23,7 +60,12 @@ void add_single(const JsonElement& light, LightSet& lights) {
                                        generator));
   const auto kind =
       light.has("type") ? LightKind(light["type"].one_of(names_of(LightKind()))) : LightKind::omni;
-  with_kind_in_scenes(kind, [&](auto described) { described.read(light, lights); });
+  with_kind_in_scenes(kind, [&](auto described) {
+    if constexpr (requires { described.read(light, lights, files); })
+      described.read(light, lights, files);
+    else
+      described.read(light, lights);
+  });
 }
 
 std::uint32_t count_of(const JsonElement& element, const char* key, std::uint32_t most) {
@@ -61,8 +103,10 @@ void add_area(const JsonElement& element, Scene& scene) {
 
 void add_environment(const JsonElement& element, const std::filesystem::path& folder,
                      const FileAccess& access, Scene& scene) {
-  element.expect_keys({"generate", "file", "count"});
+  element.expect_keys({"generate", "file", "count", "turn", "visible"});
   EnvironmentLights config;
+  if (element.has("turn")) config.turn = element["turn"].wide_number();
+  if (element.has("visible")) config.visible = element["visible"].boolean();
   if (element.has("count")) config.count = count_of(element, "count", EnvironmentLights::max_count);
   const std::filesystem::path file = folder / element["file"].path();
   access.require(file, element["file"].label());
@@ -96,9 +140,39 @@ void add_generated(const JsonElement& element, const std::filesystem::path& fold
   if (kind == "environment") return add_environment(element, folder, access, scene);
   if (kind == "vpl") return add_vpls(element, scene);
   if (kind == "surfels") return add_surfel_lights(element, scene);
+  if (const auto shape = value_named<ShapeKind>(kind))
+    return add_shape_lights(scene, read_shape(element, *shape));
   element["generate"].refuse(
       InputFault::unknown_name,
-      fmt::format("is '{}', expected 'cloud', 'area', 'environment', 'vpl' or 'surfels'", kind));
+      fmt::format(
+          "is '{}', expected 'cloud', 'area', 'environment', 'vpl', 'surfels', 'rectangle', "
+          "'disc', 'sphere' or 'tube'",
+          kind));
+}
+
+/// A name that channels of images can have.
+std::string group_in(const JsonElement& element) {
+  constexpr std::size_t longest = 64;
+  const std::string name = element.string();
+  const bool plain = std::ranges::all_of(name, [](unsigned char c) {
+    return c < 0x80 && (std::isalnum(c) != 0 || c == '-' || c == '_' || c == ' ');
+  });
+  if (!plain || name.empty() || name.size() > longest)
+    element.refuse(InputFault::malformed_file,
+                   "is not a name of up to 64 letters, digits, '-', '_' and blanks");
+  if (name == "others")
+    element.refuse(InputFault::malformed_file, "is 'others', which is what has no group");
+  return name;
+}
+
+/// The lights from `first` on.
+void add_to_group(Scene& scene, const std::string& name, std::size_t first) {
+  const std::size_t count = scene.lights.size() - first;
+  if (!scene.groups.empty() && scene.groups.back().name == name &&
+      scene.groups.back().first + scene.groups.back().count == first)
+    scene.groups.back().count += count;
+  else
+    scene.groups.push_back({name, first, count});
 }
 
 /// Errors of what the element asks for, which do not know of it, get its name.
@@ -121,12 +195,19 @@ void add_lights(const JsonElement& lights, const std::filesystem::path& folder,
     lights.expect_keys({"count", "seed", "box", "intensity"});
     return naming(lights, [&] { add_cloud(lights, scene); });
   }
+  LuminaireFiles files(folder, access, scene.notes);
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    const JsonElement light = lights.at(i);
+    nlohmann::json without_group;
+    const JsonElement whole = lights.at(i);
+    const bool grouped = whole.has("group");
+    const std::string group = grouped ? group_in(whole["group"]) : "";
+    const JsonElement light = grouped ? whole.without("group", without_group) : whole;
+    const std::size_t first = scene.lights.size();
     naming(light, [&] {
       if (light.has("generate")) return add_generated(light, folder, access, scene);
-      add_single(light, scene.lights);
+      add_single(light, scene.lights, files);
     });
+    if (grouped) add_to_group(scene, group, first);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <lightcuts/render/io/open_scene.h>
 
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -153,9 +154,15 @@ void validate(const Scene& scene) {
 }
 
 Scene open_scene(const std::string& spec, bool allow_outside) {
-  Scene scene = read(spec, allow_outside);
-  validate(scene);
-  return scene;
+  // Names of files, and names in them, may be of several lines.
+  try {
+    Scene scene = read(spec, allow_outside);
+    validate(scene);
+    for (std::string& note : scene.notes) note = one_line(std::move(note));
+    return scene;
+  } catch (const InputError& error) {
+    throw InputError(error.fault(), one_line(error.what()));
+  }
 }
 
 } // namespace lightcuts

@@ -10,7 +10,8 @@ namespace lightcuts {
 /// Opens a scene of any kind: a built-in one, with parameters (builtin_scenes.h), a `.json` scene
 /// (scene_json.h) or a model (model_import.h), see scene_files.h. A file whose name begins like a
 /// built-in's takes a "./". The scene is validated, its name is the file's stem or the built-in's
-/// spec. Throws InputError.
+/// spec. Throws InputError; its message and the scene's notes are one line each, whatever files are
+/// called.
 /// allow_outside: whether files outside the scene's folder are read (see FileAccess); default:
 /// false.
 [[nodiscard]] Scene open_scene(const std::string& spec, bool allow_outside = false);

@@ -23,11 +23,20 @@ namespace lightcuts {
 ///     {"type": "oriented", "position": [0, 2, 0], "normal": [0, -1, 0], "intensity": 1}
 ///     {"type": "spot", "position": [0, 2, 0], "axis": [0, -1, 0], "intensity": 1,
 ///      "inner": 20, "outer": 30}
+///     {"type": "profile", "file": "lamp.ies", "position": [0, 2, 0], "axis": [0, -1, 0],
+///      "plane": [1, 0, 0], "multiplier": 1, "efficacy": 683}
 ///     {"type": "directional", "direction": [1, -2, 0], "irradiance": 3}
 ///     {"generate": "cloud", "count": 1000, "seed": 1, "box": [[0, 1, 0], [4, 2, 4]],
 ///      "intensity": 20}
 ///     {"generate": "area", "count": 1000, "seed": 1}
-///     {"generate": "environment", "file": "sky.exr", "count": 1024}
+///     {"generate": "environment", "file": "sky.exr", "count": 1024, "turn": 0,
+///      "visible": false}
+///     {"generate": "rectangle", "position": [0, 2, 0], "normal": [0, -1, 0], "along": [1, 0, 0],
+///      "width": 2, "height": 1, "radiance": 5, "count": 64, "seed": 1}
+///     {"generate": "disc", "position": [0, 2, 0], "normal": [0, -1, 0], "radius": 1, "power": 9}
+///     {"generate": "sphere", "position": [0, 2, 0], "radius": 1, "radiance": 5}
+///     {"generate": "tube", "position": [0, 2, 0], "axis": [1, 0, 0], "radius": 0.02, "length": 1,
+///      "radiance": 5}
 ///     {"generate": "vpl", "paths": 1000, "bounces": 10, "seed": 1}
 ///     {"generate": "surfels", "count": 1000, "seed": 1}
 ///
@@ -38,11 +47,15 @@ namespace lightcuts {
 /// - Intensities, W/sr (a cloud's: of all its lights together), and irradiances, W/m^2 (of a
 /// surface
 ///   that faces the light), are a number or [r, g, b], each >= 0.
+/// - A profile's file is that of read_ies(); candela / efficacy are W/sr. All but file and position
+///   may be left out; see Light and usual_plane().
 /// - What is generated is described in light_generator.h (the default box and intensity are those
 /// of
-///   default_cloud), area_lights.h, environment_lights.h, virtual_point_lights.h and surfels.h.
+///   default_cloud), area_lights.h, environment_lights.h, shape_lights.h, virtual_point_lights.h and surfels.h.
 ///   Only `count` (of an environment: `file`) or `paths` are required. VPLs and surfels reflect the
 ///   light of the lights before them in the list.
+///
+/// Each may have a "group": the name of its LightGroup, of letters, digits, '-', '_' and blanks.
 ///
 /// An object as for a cloud, but without "generate", in place of the list is that cloud. At the top
 /// level `"min_distance": 0.1`, metres, > 0, clamps distances (LightSet::set_min_distance).

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/render/lighting/area_lights.h>
-#include <lightcuts/render/lighting/environment_lights.h>
+#include <lightcuts/render/lighting/environment/environment_lights.h>
 #include <lightcuts/render/lighting/light_generator.h>
 #include <lightcuts/render/lighting/surfels.h>
 #include <lightcuts/render/lighting/virtual_point_lights.h>
@@ -17,6 +17,7 @@ namespace {
 void replace_lights(const SceneRequest& request, Scene& scene) {
   const float min_distance = scene.lights.min_distance();
   scene.lights = LightSet();
+  scene.groups.clear();
   if (min_distance > 0) scene.lights.set_min_distance(min_distance);
   generate(default_cloud(scene.mesh, request.lights, request.seed), scene.lights);
 }
@@ -41,7 +42,9 @@ void make_lights(const SceneRequest& request, unsigned threads, Scene& scene) {
     add_area_lights(scene, {.count = request.area_lights, .seed = request.seed});
   if (!request.environment.empty())
     add_environment_lights(scene, read_environment(request.environment),
-                           {.count = request.environment_lights});
+                           {.turn = request.environment_turn,
+                            .visible = request.environment_visible,
+                            .count = request.environment_lights});
   if (request.vpls > 0)
     add_virtual_point_lights(scene, {.paths = request.vpls, .seed = request.seed});
   if (request.surfels > 0)

@@ -39,11 +39,13 @@ struct SceneRequest {
   std::uint32_t area_lights = 0;           ///< see add_area_lights(); default: none
   std::string environment;                 ///< see add_environment_lights(): a file; "": none
   std::uint32_t environment_lights = 1024; ///< how many it adds
-  std::uint32_t vpls = 0;                  ///< paths of add_virtual_point_lights(); default: none
-  std::uint32_t surfels = 0;               ///< see add_surfels(); default: none
-  std::optional<float> min_distance;       ///< clamps distances, metres; nothing: the scene's own
-  std::uint64_t seed = 1;                  ///< of the lights that are made
-  std::uint64_t tree_seed = 1;             ///< of the choice of representatives
+  float environment_turn = 0;        ///< degrees about +y, in [-360, 360]; see EnvironmentLights
+  bool environment_visible = false;  ///< whether the camera sees it; default: false
+  std::uint32_t vpls = 0;            ///< paths of add_virtual_point_lights(); default: none
+  std::uint32_t surfels = 0;         ///< see add_surfels(); default: none
+  std::optional<float> min_distance; ///< clamps distances, metres; nothing: the scene's own
+  std::uint64_t seed = 1;            ///< of the lights that are made
+  std::uint64_t tree_seed = 1;       ///< of the choice of representatives
   Builder builder = Builder::greedy;
   bool allow_outside = false; ///< whether it may name files outside its folder; default: false
   std::optional<CameraRequest> camera; ///< nothing: the scene's own
@@ -53,6 +55,7 @@ struct SceneRequest {
   template <class Visitor>
   static constexpr void fields(Visitor&& field) {
     constexpr Domain size = {.least = 1, .most = max_image_side, .optional = true};
+    constexpr Domain turn = {.least = -360, .most = 360, .optional = true};
     constexpr Domain distance = {.least = 1e-30, .most = 1e30, .optional = true};
     field("scene", &SceneRequest::spec);
     field("image_size", &SceneRequest::image_size, size);
@@ -60,6 +63,8 @@ struct SceneRequest {
     field("area_lights", &SceneRequest::area_lights, domain::optional);
     field("environment", &SceneRequest::environment, domain::optional);
     field("environment_lights", &SceneRequest::environment_lights, domain::optional);
+    field("environment_turn", &SceneRequest::environment_turn, turn);
+    field("environment_visible", &SceneRequest::environment_visible, domain::optional);
     field("vpls", &SceneRequest::vpls, domain::optional);
     field("surfels", &SceneRequest::surfels, domain::optional);
     field("min_distance", &SceneRequest::min_distance, distance);

@@ -4,6 +4,7 @@
 #include <lightcuts/render/lighting/kinds/directional.h>
 #include <lightcuts/render/lighting/kinds/omni.h>
 #include <lightcuts/render/lighting/kinds/oriented.h>
+#include <lightcuts/render/lighting/kinds/profile.h>
 #include <lightcuts/render/lighting/kinds/spot.h>
 
 namespace lightcuts {

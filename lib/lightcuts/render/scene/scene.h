@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,12 +67,25 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+class Backdrop;
+
+/// Lights that have a name together.
+struct LightGroup {
+  std::string name;
+  std::size_t first = 0, count = 0; ///< the lights first to first + count - 1 of Scene::lights
+
+  bool operator==(const LightGroup&) const = default;
+};
+
 struct Scene {
   std::string name;
   TriangleMesh mesh;
   std::vector<Surface> surfaces;
   std::vector<Texture> textures;
   LightSet lights;
+  std::vector<LightGroup> groups; ///< disjoint, in the order of their lights; others have no name
+  /// What the camera sees beyond all surfaces, added; see environment_lights.h.
+  std::vector<std::shared_ptr<const Backdrop>> backdrops;
   Camera camera;
   glm::uvec2 image_size{640, 480};
   std::vector<std::string>

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <lightcuts/core/methods/all_methods.h>
+#include <lightcuts/render/shafts/shaft_prover.h>
 #include <lightcuts/render/view/pixel_square.h>
 
 namespace lightcuts {
@@ -39,7 +40,8 @@ BlockPilot run_block_pilot(const SceneView& view, const LightTree& tree, const C
       const auto visible = [&](std::uint32_t p, std::uint32_t light) {
         return view.casts_to(square.seen[p], light);
       };
-      lighter->light_all(square.points, square.query, visible, results);
+      ShaftProver proven(view.triangles(), square.ray_origins());
+      lighter->light_all(square.points, square.query, {visible, &proven}, results);
       for (const PixelResult& result : results) pilot.add(result);
     }
   return pilot;

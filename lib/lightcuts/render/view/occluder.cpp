@@ -50,14 +50,6 @@ void validate(const TriangleMesh& mesh) {
                          "mesh: triangle " + std::to_string(i) + " has an index out of range");
 }
 
-// Whether the triangle's plane is lost in rounding: the cross product of two edges carries a few
-// roundings of 2^-53 relative to the product of their lengths.
-bool has_no_area(const TriangleMesh& mesh, const glm::uvec3& t) {
-  const glm::dvec3 a = glm::dvec3(mesh.positions[t.y]) - glm::dvec3(mesh.positions[t.x]);
-  const glm::dvec3 b = glm::dvec3(mesh.positions[t.z]) - glm::dvec3(mesh.positions[t.x]);
-  return glm::length(glm::cross(a, b)) <= 0x1p-48 * glm::length(a) * glm::length(b);
-}
-
 RTCRay embree_ray(const glm::vec3& origin, const glm::vec3& direction, float far) {
   RTCRay ray{};
   ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
@@ -69,11 +61,19 @@ RTCRay embree_ray(const glm::vec3& origin, const glm::vec3& direction, float far
 
 } // namespace
 
+// Its plane is lost in rounding: the cross product of two edges carries a few
+// roundings of 2^-53 relative to the product of their lengths.
+bool blocks_nothing(const TriangleMesh& mesh, const glm::uvec3& t) {
+  const glm::dvec3 a = glm::dvec3(mesh.positions[t.y]) - glm::dvec3(mesh.positions[t.x]);
+  const glm::dvec3 b = glm::dvec3(mesh.positions[t.z]) - glm::dvec3(mesh.positions[t.x]);
+  return glm::length(glm::cross(a, b)) <= 0x1p-48 * glm::length(a) * glm::length(b);
+}
+
 struct Occluder::Embree {
   struct Release {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+    void operator()(RTCDevice handle) const { rtcReleaseDevice(handle); }
+    void operator()(RTCScene handle) const { rtcReleaseScene(handle); }
+    void operator()(RTCGeometry handle) const { rtcReleaseGeometry(handle); }
   };
   template <typename Handle>
   using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
@@ -104,8 +104,9 @@ void Occluder::Embree::fill(RTCGeometry geometry, const TriangleMesh& mesh) cons
                  [&](const glm::vec3& p) { return scaled(p, scale); });
   // Rounding may give a triangle without area a normal, and so a hit anywhere; collapsed to one
   // vertex it has a zero denominator, which Embree rejects.
-  std::transform(mesh.triangles.begin(), mesh.triangles.end(), triangles,
-                 [&](const glm::uvec3& t) { return has_no_area(mesh, t) ? glm::uvec3(t.x) : t; });
+  std::transform(mesh.triangles.begin(), mesh.triangles.end(), triangles, [&](const glm::uvec3& t) {
+    return blocks_nothing(mesh, t) ? glm::uvec3(t.x) : t;
+  });
 }
 
 Occluder::Occluder(const TriangleMesh& mesh) : embree_(std::make_unique<Embree>()) {

@@ -34,6 +34,9 @@ struct Hit {
   float distance;         ///< from the ray's origin, in lengths of its direction
 };
 
+/// Whether a triangle of the mesh has no area, so that it blocks nothing.
+[[nodiscard]] bool blocks_nothing(const TriangleMesh& mesh, const glm::uvec3& triangle);
+
 /// Answers what a ray meets first and whether a segment is blocked, by Embree 3 in its robust mode
 /// (single precision; `brute_force_occlusion` of the oracle states how precise). Triangles are
 /// two-sided; those without area block nothing. Embree sees the mesh scaled by a power of two to

@@ -20,4 +20,10 @@ PixelSquare::PixelSquare(const SceneView& view, glm::uvec2 pixel) {
   if (!pixels.empty()) query = std::uint64_t(pixels.front().y) * view.size().x + pixels.front().x;
 }
 
+std::vector<glm::vec3> PixelSquare::ray_origins() const {
+  std::vector<glm::vec3> origins;
+  for (const VisiblePoint& p : seen) origins.push_back(p.ray_origin);
+  return origins;
+}
+
 } // namespace lightcuts

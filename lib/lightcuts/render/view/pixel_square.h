@@ -22,6 +22,8 @@ struct PixelSquare {
 
   /// The square that has the pixel.
   PixelSquare(const SceneView& view, glm::uvec2 pixel);
+  /// Where the shadow rays of the points start.
+  [[nodiscard]] std::vector<glm::vec3> ray_origins() const;
 };
 
 } // namespace lightcuts

@@ -12,6 +12,7 @@
 #include <tbb/task_arena.h>
 
 #include <lightcuts/core/jobs/seconds_since.h>
+#include <lightcuts/render/shafts/shaft_prover.h>
 #include <lightcuts/render/view/pixel_square.h>
 
 namespace lightcuts {
@@ -49,6 +50,15 @@ bool wants_any(const Task& task, const PixelRect& rect) {
   return false;
 }
 
+/// Of a square's pixels, those that see no surface.
+void store_beyond(const Task& task, const PixelRect& rect, const PixelSquare& square) {
+  for (unsigned y = rect.lo.y; y < rect.hi.y; ++y)
+    for (unsigned x = rect.lo.x; x < rect.hi.x; ++x)
+      if (const glm::uvec2 pixel(x, y);
+          task.wants(pixel) && std::ranges::find(square.pixels, pixel) == square.pixels.end())
+        task.picture.emission[std::size_t(y) * task.view.size().x + x] = task.view.beyond(pixel);
+}
+
 /// What the task's method lights with; a cut's kernel may know whether anything occludes.
 LighterConfig lighter_config(const Task& task) {
   const RenderConfig& config = task.config;
@@ -77,7 +87,10 @@ void render_tiles(const Task& task) {
     const auto start = Clock::now();
     const std::size_t i = std::size_t(pixel.y) * size.x + pixel.x;
     const auto p = task.view.at(pixel);
-    if (!p) return;
+    if (!p) {
+      task.picture.emission[i] = task.view.beyond(pixel);
+      return;
+    }
     ++surface_pixels;
     const auto visible = [&](std::uint32_t light) { return task.view.casts_to(*p, light); };
     store(task.picture, i, lighter.light(p->point, i, visible), p->emission);
@@ -105,7 +118,8 @@ void render_tiles(const Task& task) {
     const auto visible = [&](std::uint32_t p, std::uint32_t light) {
       return task.view.casts_to(square.seen[p], light);
     };
-    lighter.light_all(square.points, square.query, visible, results);
+    ShaftProver proven(task.view.triangles(), square.ray_origins());
+    lighter.light_all(square.points, square.query, {visible, &proven}, results);
     const double each =
         1e6 * seconds_since(start) / double(std::max<std::size_t>(1, results.size()));
     for (std::size_t k = 0; k < results.size(); ++k) {
@@ -115,6 +129,7 @@ void render_tiles(const Task& task) {
       task.picture.microseconds[i] = static_cast<float>(each);
       ++surface_pixels;
     }
+    if (!task.view.scene().backdrops.empty()) store_beyond(task, rect, square);
     if (config.done) config.done(rect);
     return true;
   };

@@ -36,13 +36,13 @@ struct RenderConfig {
   std::function<void(const PixelRect&)> done;
 };
 
-/// One picture, row by row from the top left. Where a pixel sees no surface all is 0.
+/// One picture, row by row from the top left. Where a pixel sees no surface all is 0 but emission.
 struct Rendering {
   glm::uvec2 size{0};
   std::vector<glm::vec3> radiance;        ///< reflected towards the camera; emission is not in it
   std::vector<glm::vec3> certified_error; ///< |radiance - exact| is at most this
-  std::vector<glm::vec3> emission;        ///< of the surface itself
-  std::vector<float> cut_size;            ///< clusters, or lights (reference)
+  std::vector<glm::vec3> emission; ///< of the surface itself; where none is seen, from beyond all
+  std::vector<float> cut_size;     ///< clusters, or lights (reference)
   std::vector<float> shadow_rays;
   std::vector<float> microseconds; ///< wall time of the pixel
   std::vector<CutEnd> end;

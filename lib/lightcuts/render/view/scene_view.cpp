@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <lightcuts/core/numerics/rounding.h>
+#include <lightcuts/render/lighting/environment/backdrop.h>
 #include <lightcuts/render/scene/bounds.h>
 #include <lightcuts/render/scene/convexity.h>
 #include <lightcuts/render/view/surface_material.h>
@@ -11,13 +12,24 @@
 
 namespace lightcuts {
 
+namespace {
+
+constexpr std::size_t most_triangles = 1 << 17; // a block's start looks at each
+
+}
+
 SceneView::SceneView(const Scene& scene)
-    : SceneView(scene, std::make_shared<const Occluder>(scene.mesh), scene.camera,
-                scene.image_size) {}
+    : SceneView(scene, std::make_shared<const Occluder>(scene.mesh), nullptr, scene.camera,
+                scene.image_size) {
+  const bool has_shafts = may_occlude_ && scene.mesh.triangles.size() <= most_triangles;
+  triangles_ = std::make_shared<const TriangleTree>(has_shafts ? scene.mesh : TriangleMesh());
+}
 
 SceneView::SceneView(const Scene& scene, std::shared_ptr<const Occluder> occluder,
-                     const Camera& camera, glm::uvec2 size)
-    : scene_(&scene), occluder_(std::move(occluder)), size_(size), camera_(camera, size),
+                     std::shared_ptr<const TriangleTree> triangles, const Camera& camera,
+                     glm::uvec2 size)
+    : scene_(&scene), occluder_(std::move(occluder)), triangles_(std::move(triangles)), size_(size),
+      camera_(camera, size),
       may_occlude_(!encloses_lights_convexly(scene.mesh, scene.lights, camera.position)),
       out_of_scene_(round_down(2 * diagonal_length(scene_bounds(scene.mesh)))) {}
 
@@ -29,6 +41,13 @@ std::optional<VisiblePoint> SceneView::at(glm::uvec2 pixel) const {
   return VisiblePoint{
       ShadingPoint(s.position, s.shading_normal, -direction, material_at(*scene_, *hit)),
       s.ray_origin, emission_at(*scene_, *hit)};
+}
+
+glm::vec3 SceneView::beyond(glm::uvec2 pixel) const {
+  glm::dvec3 sum(0);
+  for (const auto& backdrop : scene_->backdrops)
+    sum += glm::dvec3(backdrop->radiance(camera_.direction(pixel)));
+  return {to_float(sum.x), to_float(sum.y), to_float(sum.z)};
 }
 
 } // namespace lightcuts

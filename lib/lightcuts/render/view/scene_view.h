@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <lightcuts/core/lobes/shading_point.h>
 #include <lightcuts/render/scene/scene.h>
+#include <lightcuts/render/shafts/triangle_tree.h>
 #include <lightcuts/render/view/camera.h>
 #include <lightcuts/render/view/occluder.h>
 
@@ -29,11 +30,19 @@ public:
   explicit SceneView(const Scene& scene);
   /// The scene as another camera sees it, without building what finds triangles again.
   [[nodiscard]] SceneView seen_by(const Camera& camera, glm::uvec2 size) const {
-    return {*scene_, occluder_, camera, size};
+    return {*scene_, occluder_, triangles_, camera, size};
+  }
+
+  /// The same mesh in another scene, which has other lights, as the same camera sees it.
+  [[nodiscard]] SceneView relit(const Scene& scene) const {
+    return {scene, occluder_, triangles_, scene.camera, size_};
   }
 
   [[nodiscard]] const Scene& scene() const { return *scene_; }
   [[nodiscard]] const Occluder& occluder() const { return *occluder_; }
+  /// What shafts are tested against; empty where nothing occludes, or of a mesh with too many
+  /// triangles for each block of pixels to look at.
+  [[nodiscard]] const TriangleTree& triangles() const { return *triangles_; }
   [[nodiscard]] glm::uvec2 size() const { return size_; }
 
   /// Whether anything can come between a visible surface and a light; without it, nothing is cast.
@@ -41,6 +50,9 @@ public:
 
   /// The surface seen at the centre of the pixel, if any.
   [[nodiscard]] std::optional<VisiblePoint> at(glm::uvec2 pixel) const;
+
+  /// Radiance from beyond all surfaces through the centre of the pixel, W/(m^2 sr).
+  [[nodiscard]] glm::vec3 beyond(glm::uvec2 pixel) const;
 
   /// Whether light i is seen from the point.
   [[nodiscard]] bool sees(const VisiblePoint& from, std::uint32_t light) const {
@@ -59,11 +71,12 @@ public:
   }
 
 private:
-  SceneView(const Scene& scene, std::shared_ptr<const Occluder> occluder, const Camera& camera,
-            glm::uvec2 size);
+  SceneView(const Scene& scene, std::shared_ptr<const Occluder> occluder,
+            std::shared_ptr<const TriangleTree> triangles, const Camera& camera, glm::uvec2 size);
 
   const Scene* scene_;
   std::shared_ptr<const Occluder> occluder_;
+  std::shared_ptr<const TriangleTree> triangles_;
   glm::uvec2 size_;
   PinholeView camera_;
   bool may_occlude_;

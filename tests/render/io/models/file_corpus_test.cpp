@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <lightcuts/core/input_error.h>
+#include <lightcuts/core/kinds/light_kinds.h>
 #include <lightcuts/render/io/scene_files.h>
 #include <lightcuts/render/lighting/area_lights.h>
 #include <lightcuts/render/scene/bounds.h>
@@ -143,6 +144,14 @@ void expect_lights(const Scene& scene, const json& expected) {
   const json shines = expected.value("shines", json::array());
   for (std::size_t i = 0; i < shines.size(); ++i)
     expect_vector(-glm::dvec3(scene.lights[i].position), shines[i], "direction");
+  // Light, direction, and what it sends there, W/sr.
+  for (const json& sent : expected.value("sends", json::array())) {
+    const Light& light = scene.lights[sent.at(0).get<std::size_t>()];
+    const glm::vec3 way(sent.at(1), sent.at(2), sent.at(3));
+    const double share = emission(light, light.position + way);
+    expect_vector(share * glm::dvec3(light.intensity), {sent.at(4), sent.at(5), sent.at(6)},
+                  sent.dump());
+  }
   if (expected.contains("camera")) {
     const json& camera = expected.at("camera");
     expect_vector(scene.camera.position, camera, "camera");

@@ -2,6 +2,7 @@
 #include <lightcuts/render/images/image_codec.h>
 
 #include <array>
+#include <cstdint>
 #include <exception>
 #include <utility>
 
@@ -42,6 +43,16 @@ SampleType sample_type_of(const OIIO::TypeDesc& type) {
   return type.size() == 1 ? SampleType::uint8 : SampleType::uint16;
 }
 
+/// Of all samples, tiles being read as a whole: one may be larger than the image.
+std::uintmax_t stored_bytes(const OIIO::ImageSpec& spec) {
+  const auto whole = [](int size, int tile) {
+    const std::uintmax_t one = tile > 0 ? tile : 1;
+    return (std::uintmax_t(size) + one - 1) / one * one;
+  };
+  return whole(spec.width, spec.tile_width) * whole(spec.height, spec.tile_height) *
+         std::uintmax_t(spec.depth) * spec.pixel_bytes(true);
+}
+
 ImageInfo info_of(const OIIO::ImageInput& input) {
   const OIIO::ImageSpec& spec = input.spec();
   ImageInfo info{.width = spec.width,
@@ -53,7 +64,7 @@ ImageInfo info_of(const OIIO::ImageInput& input) {
                  .channels = spec.channelnames,
                  .attributes = {},
                  .format = input.format_name(),
-                 .stored_bytes = spec.image_bytes(true)};
+                 .stored_bytes = stored_bytes(spec)};
   info.channels.resize(spec.nchannels);
   for (const auto& attribute : spec.extra_attribs)
     if (attribute.type() == OIIO::TypeDesc::STRING)

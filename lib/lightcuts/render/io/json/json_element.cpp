@@ -38,6 +38,12 @@ JsonElement JsonElement::operator[](const char* key) const {
   return {file_, path_ + "/" + key, json_->at(key)};
 }
 
+JsonElement JsonElement::without(const char* key, nlohmann::json& copy) const {
+  copy = *json_;
+  copy.erase(key);
+  return {file_, path_, copy};
+}
+
 JsonElement JsonElement::at(std::size_t i) const {
   return {file_, fmt::format("{}/{}", path_, i), json_->at(i)};
 }

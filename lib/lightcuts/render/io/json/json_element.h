@@ -38,6 +38,8 @@ public:
 
   /// Member of an object; refuses its absence.
   [[nodiscard]] JsonElement operator[](const char* key) const;
+  /// The same object without one of its members; `copy` keeps it and must outlive it.
+  [[nodiscard]] JsonElement without(const char* key, nlohmann::json& copy) const;
   /// Element of a list.
   [[nodiscard]] JsonElement at(std::size_t i) const;
 

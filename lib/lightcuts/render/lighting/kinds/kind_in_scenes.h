@@ -28,7 +28,8 @@ struct Reach {
 
 /// What scenes know of a kind of light:
 ///   read(element, lights)        adds the light that an element of a scene file describes, see
-///                                load_scene_json(), after its "type";
+///                                load_scene_json(), after its "type"; of a kind that files
+///                                describe read(element, lights, files);
 ///   add(light, random, lights)   adds one of a cloud: an omni light made one of this kind;
 ///   power(light, reach)          W per intensity, see VirtualPointLights;
 ///   ray(light, u, random, reach) drawn in proportion to the power emitted along it: from a point

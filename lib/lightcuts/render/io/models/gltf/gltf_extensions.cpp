@@ -14,12 +14,13 @@
 namespace lightcuts {
 namespace {
 
-constexpr std::array<std::string_view, 10> supported{
+constexpr std::array<std::string_view, 11> supported{
     "KHR_lights_punctual",   "KHR_materials_emissive_strength",
     "KHR_materials_ior",     "KHR_materials_pbrSpecularGlossiness",
     "KHR_mesh_quantization", "KHR_node_visibility",
     "KHR_texture_transform", "EXT_mesh_gpu_instancing",
-    "EXT_texture_webp",      "KHR_materials_variants"}; // the default one
+    "EXT_lights_ies",        "EXT_texture_webp",
+    "KHR_materials_variants"}; // the default one
 
 /// Without them all looks the same: data about the file, animations, and compressed copies of what
 /// is there plainly as well.

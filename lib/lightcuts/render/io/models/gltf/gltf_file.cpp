@@ -121,7 +121,7 @@ void GltfFile::read_buffers(const FileAccess& access, std::string chunk) {
       buffers_.push_back(buffers_.empty() ? std::move(chunk) : std::string());
       if (buffers_.back().empty()) continue;
     } else {
-      buffers_.push_back(buffer_of(uri, access));
+      buffers_.push_back(bytes_of(uri, "buffer", access));
     }
     if (buffers_.back().size() < expected)
       throw InputError(
@@ -135,17 +135,18 @@ void GltfFile::read_buffers(const FileAccess& access, std::string chunk) {
   }
 }
 
-std::string GltfFile::buffer_of(const std::string& uri, const FileAccess& access) const {
+std::string GltfFile::bytes_of(const std::string& uri, const char* what,
+                               const FileAccess& access) const {
   if (is_data_uri(uri)) return read_data_uri(uri).bytes;
   for (const std::string& spelling : {uri, percent_decoded(uri)}) {
     const std::filesystem::path file = path_.parent_path() / spelling;
     std::error_code error;
     if (spelling.find('\0') != std::string::npos || !std::filesystem::exists(file, error)) continue;
-    access.require(file, fmt::format("{}: its buffer '{}'", path_.string(), uri));
+    access.require(file, fmt::format("{}: its {} '{}'", path_.string(), what, uri));
     return read_file(file);
   }
   throw InputError(InputFault::unreadable_file,
-                   one_line(fmt::format("{}: cannot open its buffer '{}'", path_.string(), uri)));
+                   one_line(fmt::format("{}: cannot open its {} '{}'", path_.string(), what, uri)));
 }
 
 const gltf::Json& GltfFile::item(const char* list, std::size_t index) const {

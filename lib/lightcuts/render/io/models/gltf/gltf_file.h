@@ -31,9 +31,13 @@ public:
   /// The bytes of a bufferView. Throws GltfFault where it is not within its buffer.
   [[nodiscard]] std::string_view view(std::size_t index) const;
 
+  /// What a "data:" URI has, or a file beside this one. `what` it is, for messages. Throws
+  /// InputError where it cannot be read.
+  [[nodiscard]] std::string bytes_of(const std::string& uri, const char* what,
+                                     const FileAccess& access) const;
+
 private:
   void read_buffers(const FileAccess& access, std::string chunk);
-  [[nodiscard]] std::string buffer_of(const std::string& uri, const FileAccess& access) const;
 
   std::filesystem::path path_;
   gltf::Json root_;

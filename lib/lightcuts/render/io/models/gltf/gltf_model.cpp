@@ -13,12 +13,21 @@
 #include <lightcuts/render/io/models/gltf/gltf_materials.h>
 #include <lightcuts/render/io/models/gltf/gltf_meshes.h>
 #include <lightcuts/render/io/models/gltf/gltf_nodes.h>
+#include <lightcuts/render/io/models/gltf/gltf_profiles.h>
+#include <lightcuts/render/lighting/profiles/profile_light.h>
 
 namespace lightcuts {
 namespace {
 
-void add(const GltfLight& light, LightSet& lights) {
+void add(const GltfLight& light, GltfProfiles& profiles, LightSet& lights) {
   switch (light.kind) {
+  case LightKind::profile: {
+    const IesLuminaire& luminaire = profiles.luminaire(light.profile);
+    const auto plane = plane_beside(light.direction, light.plane);
+    return lights.add_profile(light.position, light.direction,
+                              plane ? *plane : usual_plane(light.direction),
+                              scaled_intensity(light.intensity, luminaire.peak), luminaire.profile);
+  }
   case LightKind::spot:
     return lights.add_spot(light.position, light.direction, light.intensity, light.inner_angle,
                            light.outer_angle);
@@ -35,9 +44,12 @@ bool append(const GltfFile& file, const FileAccess& access, Scene& scene) {
   GltfMaterials materials(file, access, scene);
   append_meshes(file, nodes, materials, scene);
   materials.finish();
+  GltfProfiles profiles(file, access, scene.notes);
   for (const GltfLight& light : nodes.lights) {
     try {
-      add(light, scene.lights);
+      add(light, profiles, scene.lights);
+    } catch (const LuminaireError&) { // which names its own file
+      throw;
     } catch (const InputError& error) {
       throw InputError(error.fault(), fmt::format("{}: {}", file.path().string(), error.what()));
     }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <lightcuts/core/input_error.h>
@@ -127,6 +128,22 @@ private:
       found_.meshes.push_back({index, *mesh, gltf::index_in(node, "skin")});
     if (const Json* light = gltf::extension_of(node, "KHR_lights_punctual"))
       add_light(gltf::whole_in(*light, "light"), place);
+    if (const Json* light = gltf::extension_of(node, "EXT_lights_ies")) add_profile(*light, place);
+  }
+
+  /// It shines along its -z; horizontal angle 0 is +x.
+  void add_profile(const Json& instance, const Place& place) {
+    GltfLight found;
+    found.kind = LightKind::profile;
+    found.profile = gltf::whole_in(instance, "light");
+    found.name = fmt::format("{}", found.profile);
+    found.position = glm::vec3(glm::dvec3(place.world[3]));
+    found.direction = glm::vec3(-place.direction(2));
+    found.plane = glm::vec3(place.direction(0));
+    const glm::dvec3 colour = gltf::vector_in(instance, "color", glm::dvec3(1));
+    found.intensity = glm::vec3(gltf::number_in(instance, "multiplier", 1) *
+                                glm::min(glm::max(colour, glm::dvec3(0)), glm::dvec3(1)));
+    found_.lights.push_back(std::move(found));
   }
 
   void add_camera(const Json& camera, const Place& place) {

@@ -14,15 +14,18 @@
 
 namespace lightcuts {
 
-/// A light of KHR_lights_punctual.
+/// A light of KHR_lights_punctual, or an instance of a light profile of EXT_lights_ies.
 struct GltfLight {
   std::string name;
   LightKind kind = LightKind::omni;
   glm::vec3 position{0};  ///< metres
-  glm::vec3 direction{0}; ///< unit, in which a spot or directional light shines
-  glm::vec3 intensity{0}; ///< candela taken as W/sr; of a directional light lux taken as W/m^2
+  glm::vec3 direction{0}; ///< unit, in which a spot, profile or directional light shines
+  glm::vec3 intensity{0}; ///< candela taken as W/sr; of a directional light lux taken as W/m^2;
+                          ///< of a profile: what multiplies the candela of its file
   float inner_angle = 0;  ///< of a spot, radians
   float outer_angle = 0;
+  glm::vec3 plane{0};      ///< of a profile: unit, horizontal angle 0
+  std::size_t profile = 0; ///< of a profile: its index in the file's list
 };
 
 /// A node with a mesh.
