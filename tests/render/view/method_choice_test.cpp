@@ -36,7 +36,7 @@ TEST(ChooseMethod, SumsAFewLights) {
   for (const char* scene : {"cloud?lights=1", "cloud?lights=20", "desk"}) {
     const MethodChoice choice = choice_for(scene);
     EXPECT_EQ(choice.method, methods::lightcuts) << scene;
-    EXPECT_GT(choice.cost_of_blocks, 1) << scene;
+    EXPECT_GT(choice.cost_of_blocks, 0.25) << scene;
   }
 }
 

@@ -9,8 +9,9 @@
 
 namespace lightcuts {
 
-/// The method that is expected to light a scene soonest, and what that was decided by: means over
-/// pixels of a pilot, costs in units of summing all lights.
+/// The method that is expected to light a scene soonest, if that is by much where the other is
+/// exact, and what that was decided by: means over pixels of a pilot, costs in units of summing all
+/// lights.
 struct MethodChoice {
   Method method;         ///< block_cuts, or lightcuts (which sums all lights where no tree pays)
   float threshold;       ///< to go with it

@@ -35,6 +35,8 @@ ViewState chosen() {
             5,
             "sky.exr",
             7,
+            -33.5F,
+            true,
             8,
             9,
             0.1F,
