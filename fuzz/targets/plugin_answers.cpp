@@ -218,6 +218,8 @@ void run_plugin_answers(Bytes input) {
   const Parts parts = offered(dice);
   const FuzzedPlugin plugin(dice, parts);
   const Case on = small_case(dice);
+  for (const Light& light : on.lights)
+    if (light.kind == LightKind::profile) return; // plug-ins are not given such
   Tally tally;
   check_case(plugin, on, 0, tally);
   for (const Property property : broken(tally))

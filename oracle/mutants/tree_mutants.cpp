@@ -42,7 +42,9 @@ void take_colour(const LightSet& lights, std::vector<TreeNode>& /*nodes*/, TreeN
 }
 
 LightTree stale_child(const LightSet& lights, std::uint64_t seed) {
-  const LightTree tree = build(lights, {seed});
+  LightTree tree = build(lights, {seed});
+  // A cluster that is said to be of profiles and has other lights has no table to be bounded by.
+  if ((lights.kinds() & only(LightKind::profile)) != 0) return tree;
   std::vector<TreeNode> nodes(tree.nodes().begin(), tree.nodes().end());
   if (nodes.size() > 1) {
     std::swap(nodes[1], nodes[2]);

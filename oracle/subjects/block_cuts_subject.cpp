@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <lightcuts/core/blocks/block_cut_selector.h>
+#include <lightcuts/core/kernels/contribution_bound.h>
 #include <lightcuts/core/methods/block_cuts.h>
 #include <lightcuts/core/numerics/splitmix.h>
 #include <lightcuts/core/tree/tree_builder.h>
@@ -89,6 +90,14 @@ public:
 
   [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
     return std::make_unique<BlockCutsTree>(shared_tree());
+  }
+
+  /// A block's bound of a lobe may be less than a point's own; both hold.
+  void bounds(const ShadingPoint& point, std::span<glm::vec3> out) override {
+    LibraryTree::bounds(point, out);
+    const ShadingBlock alone({&point, 1});
+    for (std::uint32_t i = 0; i < out.size(); ++i)
+      out[i] = glm::min(out[i], contribution_bound(tree(), i, alone));
   }
 
   Cut select(const ShadingPoint& point, const CutConfig& config,

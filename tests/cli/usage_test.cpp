@@ -44,7 +44,7 @@ TEST(Help, OfReportShowsEveryDefault) {
 TEST(Help, OfRenderShowsEveryDefault) {
   const std::string help = help_of("render");
   expect_common_defaults(help);
-  for (const char* part : {"--threshold TEXT=auto", "default: out/SCENE", "=lightcuts"})
+  for (const char* part : {"--threshold TEXT=auto", "default: out/SCENE", "=auto"})
     EXPECT_THAT(help, HasSubstr(part));
 }
 

@@ -47,6 +47,7 @@ private:
                                                     0x1p-126F, -0x1p-149F, 0.5F, -0x1.fffffep-1F});
       light.cos_outer = light.cos_inner;
     }
+    light.cos_inner = std::max(light.cos_inner, std::nextafter(-1.0F, 0.0F));
     light.cos_outer = std::min(light.cos_outer, std::nextafter(light.cos_inner, -2.0F));
   }
 

@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
         Edit{"/case/min_distance", "-1", "/case/min_distance is negative"},
         Edit{"/case/views/0/normal", "[1, 1, 0]", "/case/views/0/normal has length 1.4142"},
         Edit{"/case/views/0/to_viewer", "[0, 0, 0]", "/case/views/0/to_viewer has length 0"},
-        Edit{"/case/views/0/hidden", "[4]", "/case/views/0/hidden/0 is 4"},
+        Edit{"/case/views/0/hidden", "[5]", "/case/views/0/hidden/0 is 5"},
         Edit{"/case/views/0/hidden", "[1, 1]", "/case/views/0/hidden/1 is 1"},
         Edit{"/case/views/0/material/diffuse/0", "-1", "/case/views/0/material/diffuse/0"},
         Edit{"/case/views/0/material/lobe/exponent", "1e9",

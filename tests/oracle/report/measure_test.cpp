@@ -233,7 +233,7 @@ TEST(DescribeNeeds, SaysWhatIsNeededAndWhatIsLeftOut) {
   describe_features(view, features, 0.02F, needed, left_out);
   EXPECT_THAT(needed, ElementsAre("omni, spot lights"));
   EXPECT_THAT(left_out,
-              ElementsAre("oriented, directional lights: there are none", HasSubstr("clamp"),
+              ElementsAre("oriented, directional, profile lights: there are none", HasSubstr("clamp"),
                           HasSubstr("specular bound"), HasSubstr("shadow rays"),
                           testing::AllOf(HasSubstr("light tree"), HasSubstr("2 %"),
                                          HasSubstr("12.5 of 20 lights"), HasSubstr("1.50 times"))));

@@ -166,7 +166,10 @@ struct FourLights : testing::Test {
   }
   /// What the documentation of DrawConfig says that each test has and how many draws there are.
   [[nodiscard]] double rate(std::size_t clusters, const DrawConfig& config) const {
-    return sidak(sidak(config.false_alarms, config.cases), 3 + clusters - 1 + 4);
+    // The mean's channels, successive queries, each light of the clusters and of the root, pairs.
+    const std::size_t of_root = clusters > 1 ? 4 : 0;
+    return sidak(sidak(config.false_alarms, config.cases),
+                 3 + 1 + 4 + of_root + clusters * (clusters - 1) / 2);
   }
   [[nodiscard]] std::uint64_t draws(const CutConfig& cut, const DrawConfig& config) const {
     std::uint64_t most = 0;
