@@ -90,7 +90,7 @@ void Judge::odds(const PointAnswers& of) const {
 void Judge::few_odds(const PointAnswers& of) const {
   if (!has(Part::sampling) || !any<&PropertyInfo::of_odds>()) return;
   constexpr std::uint32_t nodes = 64, lights = 64;
-  constexpr std::size_t not_too_many = 20'000; // as many questions
+  constexpr std::size_t not_too_many = 2'000; // as many questions; most large cases have more
   if (of.at.lights().size() <= not_too_many) run<&PropertyInfo::of_odds>(ClusterOdds(of, 0));
   std::uint32_t asked = 0;
   for (std::uint32_t node = of.topology().size(); node-- > 0 && asked < nodes;) {
