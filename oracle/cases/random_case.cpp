@@ -115,6 +115,7 @@ Case lottery(Dice& dice) {
     Light light;
     light.kind = dice.one_in(8) ? LightKind::omni : kind;
     light.position = glm::vec3(dice.uniform(-2, 2), dice.uniform(-2, 2), dice.uniform(0.5, 2));
+    if (count > 8) light.position.z += 2; // else the nearest decide, and it takes many draws
     if (light.kind == LightKind::directional)
       light.position = glm::vec3(glm::normalize(glm::dvec3(light.position)));
     if (light.kind == LightKind::oriented) light.axis = {0, 0, -1};
@@ -188,6 +189,23 @@ gen::View view_beside(Dice& dice, const std::vector<Light>& lights) {
   return view;
 }
 
+/// From so far that the lights of small clusters are much alike, and facing them: what estimates
+/// are worth shows there.
+gen::View view_from_afar(Dice& dice, const std::vector<Light>& lights) {
+  gen::View view = gen::make_view(dice, lights, {.lobe = 0});
+  glm::dvec3 lo(lights.front().position), hi = lo;
+  for (const Light& light : lights) {
+    lo = glm::min(lo, glm::dvec3(light.position));
+    hi = glm::max(hi, glm::dvec3(light.position));
+  }
+  const glm::vec3 away = dice.unit_vector();
+  const glm::dvec3 place =
+      0.5 * (lo + hi) + dice.uniform(1, 4) * glm::length(hi - lo) * glm::dvec3(away);
+  for (int i = 0; i < 3; ++i) view.position[i] = Dice::finite(place[i]);
+  view.normal = -away;
+  return view;
+}
+
 /// All but one of the lights shine one way, in narrow cones; that one shines the other way, and the
 /// first view sees it from there, so near that it outshines all others.
 void turn_one_round(Dice& dice, Case& c) {
@@ -235,7 +253,10 @@ Case multitude(Dice& dice, std::uint32_t count) {
   c.cut = random_cut(dice, int(std::min<std::uint32_t>(count, 1000)));
   for (int i = 0; i < 2; ++i) c.views.push_back({view_beside(dice, c.lights), {}});
   Dice aside = dice.aside();
-  if (has_axis(kind) && aside.one_in(2)) turn_one_round(aside, c);
+  if (has_axis(kind) && aside.one_in(2))
+    turn_one_round(aside, c);
+  else if (Dice far = aside.aside(); far.one_in(2))
+    c.views.front().view = view_from_afar(far, c.lights);
   if (aside.one_in(2)) hide_some(aside, c);
   return c;
 }

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <lightcuts/core/jobs/seconds_since.h>
 #include <oracle/campaign/hunt.h>
 #include <oracle/counterexamples/counterexample_json.h>
 #include <oracle/properties/judge.h>
@@ -29,21 +28,14 @@ struct Verdict {
   HuntResult result;
 };
 
-// What takes longer than this is left to the command `mutants`.
-constexpr double enough_seconds = 5, enough_seconds_of_all = 150, enough_seconds_to_shrink = 150;
-constexpr std::size_t fewest_judged = 20;
-
 /// Of all, judged once: until something is found, and a little further.
 const std::vector<Verdict>& verdicts() {
   static const std::vector<Verdict> all = [] {
     std::vector<Verdict> list;
-    const auto start = Clock::now();
     for (const Mutant& mutant : mutants()) {
-      if (seconds_since(start) > enough_seconds_of_all) break;
       HuntConfig config;
       config.cases = enough_cases;
-      config.further = 20;
-      config.seconds = enough_seconds;
+      config.further = 100;
       auto subject = mutant.subject();
       HuntResult result = hunt(*subject, config);
       list.push_back({mutant, std::move(subject), std::move(result)});
@@ -56,17 +48,10 @@ const std::vector<Verdict>& verdicts() {
 TEST(Mutants, AreAllCaughtOnFewerCasesThanTheLibraryPasses) {
   HuntConfig config;
   config.cases = 0;
-  config.seconds = 60;
-  std::size_t judged = 0;
   for (const Verdict& v : verdicts()) {
-    if (!v.result.found) {
-      EXPECT_GE(v.result.seconds, enough_seconds) << v.mutant.name;
-      continue;
-    }
-    ++judged;
+    EXPECT_TRUE(v.result.found) << v.mutant.name;
     config.cases = std::max(config.cases, v.result.cases);
   }
-  EXPECT_GE(judged, fewest_judged);
   const HuntResult library = hunt(*library_subject(), config);
   EXPECT_FALSE(library.found) << info(library.found->property).name << ": "
                               << library.found->message;
@@ -106,9 +91,8 @@ std::size_t most_lights(std::string_view name) {
 // Two lights and one point at the median, eight lights at most but where it takes more.
 TEST(Mutants, ShrinkToLittleThatFailsWhenReplayed) {
   std::vector<std::size_t> lights;
-  const auto start = Clock::now();
   for (const Verdict& v : verdicts()) {
-    if (!v.result.found || seconds_since(start) > enough_seconds_to_shrink) continue;
+    ASSERT_TRUE(v.result.found) << v.mutant.name;
     const std::size_t most = most_lights(v.mutant.name);
     // What is as small as it can be already is not worth the time.
     const double seconds = v.result.found->on.lights.size() <= most && most > 1000 ? 0 : 10;
