@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <lightcuts/core/methods/all_methods.h>
-#include <lightcuts/render/shafts/shaft_prover.h>
 #include <lightcuts/render/view/pixel_square.h>
 
 namespace lightcuts {
@@ -40,14 +39,8 @@ BlockPilot run_block_pilot(const SceneView& view, const LightTree& tree, const C
     for (unsigned x = 0; x < grid.x; ++x) {
       const glm::uvec2 pixel((2 * x + 1) * view.size().x / (2 * grid.x),
                              (2 * y + 1) * view.size().y / (2 * grid.y));
-      const PixelSquare square(view, pixel);
-      std::vector<PixelResult> results(square.pixels.size());
-      const auto visible = [&](std::uint32_t p, std::uint32_t light) {
-        return view.casts_to(square.seen[p], light);
-      };
-      ShaftProver proven(view.triangles(), square.ray_origins());
-      lighter->light_all(square.points, square.query, {visible, &proven}, results);
-      for (const PixelResult& result : results) pilot.add(result);
+      for (const PixelResult& result : light(PixelSquare(view, pixel), view, *lighter))
+        pilot.add(result);
     }
   return pilot;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <glm/common.hpp>
+#include <lightcuts/render/shafts/shaft_prover.h>
 
 namespace lightcuts {
 
@@ -24,6 +25,17 @@ std::vector<glm::vec3> PixelSquare::ray_origins() const {
   std::vector<glm::vec3> origins;
   for (const VisiblePoint& p : seen) origins.push_back(p.ray_origin);
   return origins;
+}
+
+std::vector<PixelResult> light(const PixelSquare& square, const SceneView& view,
+                               PointLighter& lighter) {
+  std::vector<PixelResult> results(square.pixels.size());
+  const auto visible = [&](std::uint32_t p, std::uint32_t light) {
+    return view.casts_to(square.seen[p], light);
+  };
+  ShaftProver proven(view.triangles(), square.ray_origins());
+  lighter.light_all(square.points, square.query, {visible, &proven}, results);
+  return results;
 }
 
 } // namespace lightcuts

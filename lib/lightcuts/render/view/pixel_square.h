@@ -6,6 +6,7 @@
 
 #include <glm/vec2.hpp>
 #include <lightcuts/core/blocks/neighbours.h>
+#include <lightcuts/core/methods/method.h>
 #include <lightcuts/render/view/scene_view.h>
 
 namespace lightcuts {
@@ -25,5 +26,10 @@ struct PixelSquare {
   /// Where the shadow rays of the points start.
   [[nodiscard]] std::vector<glm::vec3> ray_origins() const;
 };
+
+/// Lights a square by a method that shares between neighbours, by rays and by what shafts prove. A
+/// result for each of its pixels.
+[[nodiscard]] std::vector<PixelResult> light(const PixelSquare& square, const SceneView& view,
+                                             PointLighter& lighter);
 
 } // namespace lightcuts

@@ -12,7 +12,6 @@
 #include <tbb/task_arena.h>
 
 #include <lightcuts/core/jobs/seconds_since.h>
-#include <lightcuts/render/shafts/shaft_prover.h>
 #include <lightcuts/render/view/pixel_square.h>
 
 namespace lightcuts {
@@ -114,12 +113,7 @@ void render_tiles(const Task& task) {
     if (config.progress.cancelled()) return false;
     const auto start = Clock::now();
     const PixelSquare square(task.view, rect.lo);
-    std::vector<PixelResult> results(square.pixels.size());
-    const auto visible = [&](std::uint32_t p, std::uint32_t light) {
-      return task.view.casts_to(square.seen[p], light);
-    };
-    ShaftProver proven(task.view.triangles(), square.ray_origins());
-    lighter.light_all(square.points, square.query, {visible, &proven}, results);
+    const std::vector<PixelResult> results = light(square, task.view, lighter);
     const double each =
         1e6 * seconds_since(start) / double(std::max<std::size_t>(1, results.size()));
     for (std::size_t k = 0; k < results.size(); ++k) {
