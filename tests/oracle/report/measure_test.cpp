@@ -233,8 +233,8 @@ TEST(DescribeNeeds, SaysWhatIsNeededAndWhatIsLeftOut) {
   describe_features(view, features, 0.02F, needed, left_out);
   EXPECT_THAT(needed, ElementsAre("omni, spot lights"));
   EXPECT_THAT(left_out,
-              ElementsAre("oriented, directional, profile lights: there are none", HasSubstr("clamp"),
-                          HasSubstr("specular bound"), HasSubstr("shadow rays"),
+              ElementsAre("oriented, directional, profile lights: there are none",
+                          HasSubstr("clamp"), HasSubstr("specular bound"), HasSubstr("shadow rays"),
                           testing::AllOf(HasSubstr("light tree"), HasSubstr("2 %"),
                                          HasSubstr("12.5 of 20 lights"), HasSubstr("1.50 times"))));
   features.specular = features.occlusion = features.tree = features.clamp = true;

@@ -49,12 +49,12 @@ struct Light {
   glm::vec3 intensity{0}; ///< radiant intensity along the axis, W/sr, each >= 0; of a profile:
                           ///< where its share is 1; of a directional light: irradiance of a surface
                           ///< that faces it, W/m^2
-  glm::vec3 axis{0};    ///< unit, where most of an oriented or spot light goes, and vertical
-                        ///< angle 0 of a profile; else unused
-  float cos_inner = 1;  ///< of a spot: full intensity within, more than cos_outer
-  float cos_outer = -1; ///< of a spot: nothing beyond; a little below -1 for a rim of some width
-  glm::vec3 plane{0};   ///< of a profile: unit, horizontal angle 0, about perpendicular to the axis
-  Profile profile;      ///< of a profile: what goes where
+  glm::vec3 axis{0};      ///< unit, where most of an oriented or spot light goes, and vertical
+                          ///< angle 0 of a profile; else unused
+  float cos_inner = 1;    ///< of a spot: full intensity within, more than cos_outer
+  float cos_outer = -1;   ///< of a spot: nothing beyond; a little below -1 for a rim of some width
+  glm::vec3 plane{0}; ///< of a profile: unit, horizontal angle 0, about perpendicular to the axis
+  Profile profile;    ///< of a profile: what goes where
 
   template <class Visitor>
   static constexpr void fields(Visitor&& field) {

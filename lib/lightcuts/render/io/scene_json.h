@@ -51,9 +51,9 @@ namespace lightcuts {
 ///   may be left out; see Light and usual_plane().
 /// - What is generated is described in light_generator.h (the default box and intensity are those
 /// of
-///   default_cloud), area_lights.h, environment_lights.h, shape_lights.h, virtual_point_lights.h and surfels.h.
-///   Only `count` (of an environment: `file`) or `paths` are required. VPLs and surfels reflect the
-///   light of the lights before them in the list.
+///   default_cloud), area_lights.h, environment_lights.h, shape_lights.h, virtual_point_lights.h
+///   and surfels.h. Only `count` (of an environment: `file`) or `paths` are required. VPLs and
+///   surfels reflect the light of the lights before them in the list.
 ///
 /// Each may have a "group": the name of its LightGroup, of letters, digits, '-', '_' and blanks.
 ///

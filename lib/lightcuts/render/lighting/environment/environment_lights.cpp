@@ -15,9 +15,9 @@
 
 #include <lightcuts/render/files/text.h>
 #include <lightcuts/render/images/channels.h>
-#include <lightcuts/render/lighting/environment/backdrop.h>
 #include <lightcuts/render/lighting/circle.h>
 #include <lightcuts/render/lighting/config_check.h>
+#include <lightcuts/render/lighting/environment/backdrop.h>
 #include <lightcuts/render/scene/append_lights.h>
 
 namespace lightcuts {
