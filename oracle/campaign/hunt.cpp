@@ -54,7 +54,8 @@ HuntResult hunt(const Subject& subject, const HuntConfig& config) {
   for (; result.cases < end && goes_on(); ++result.cases) {
     const std::uint64_t index = result.cases;
     const std::uint32_t many = many_lights_at(index);
-    if (many > 0 && !ladder.dares(many)) continue;
+    // Once something is found, large cases would say the same at a hundred times the price.
+    if (many > 0 && (result.found || !ladder.dares(many))) continue;
     const Case on = random_case(config.seed, index);
     if (!takes(subject.parts(), on.lights)) continue;
     Tally tally;

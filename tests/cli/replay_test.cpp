@@ -68,7 +68,7 @@ TEST(Replay, FailsForWhatMutantsSaves) {
                                        "metric-difference"};
   const OracleProcess oracle;
   // At once: each command judges the library, too.
-  const auto all = with(with({"mutants"}, names), {"--cases", "5000", "--out", "."});
+  const auto all = with(with({"mutants"}, names), {"--cases", "1000", "--out", "."});
   EXPECT_EQ(oracle.run(all).exit_code, 0);
   for (const std::string& name : names) {
     const Outcome outcome = oracle.run({"replay", "counterexample-" + name + ".json"});
