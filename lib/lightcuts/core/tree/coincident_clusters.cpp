@@ -47,6 +47,7 @@ Cluster merged_in_halves(std::span<const Cluster> clusters, std::span<const Plac
 
 std::vector<Cluster> merge_coincident(std::vector<Cluster> clusters, Dendrogram& record) {
   const Order order = sorted(clusters);
+  record.leave_if_cancelled();
   std::vector<Cluster> result;
   result.reserve(clusters.size());
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {

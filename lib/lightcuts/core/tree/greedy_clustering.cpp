@@ -42,6 +42,7 @@ void merge_half(ClusterIndex& index, Dendrogram& record) {
 Cluster cluster_greedily(std::vector<Cluster> clusters, Dendrogram& record) {
   clusters = merge_coincident(std::move(clusters), record);
   while (clusters.size() > 1) {
+    record.leave_if_cancelled(); // an index of millions takes a second
     ClusterIndex index(std::move(clusters));
     merge_half(index, record);
     clusters = index.clusters();

@@ -22,6 +22,7 @@ LightTree build(const LightSet& lights, const BuildConfig& config) {
   for (int kind = 0; kind < light_kind_count; ++kind) {
     std::vector<Cluster> clusters = record.clusters_of(LightKind(kind));
     if (clusters.empty()) continue;
+    record.leave_if_cancelled();
     roots.push_back(config.builder == Builder::greedy
                         ? cluster_greedily(std::move(clusters), record)
                         : cluster_in_local_order(std::move(clusters), record));
