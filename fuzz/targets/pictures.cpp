@@ -4,6 +4,7 @@
 #include <fuzz/support/judged_case.h>
 #include <fuzz/support/target.h>
 #include <oracle/cases/random_case.h>
+#include <oracle/cases/random_picture.h>
 
 namespace lightcuts::fuzz {
 namespace {

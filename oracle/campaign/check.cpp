@@ -14,6 +14,7 @@
 
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/core/jobs/seconds_since.h>
+#include <lightcuts/render/view/pixel_square.h>
 #include <oracle/campaign/scene_case.h>
 #include <oracle/cases/random_pixels.h>
 #include <oracle/properties/bounds/bound_sweep.h>
@@ -55,6 +56,8 @@ constexpr std::uint64_t points_per_exact_cut = 8;
 // So does asking for the probabilities of all lights of all clusters, and more.
 constexpr std::uint64_t points_per_probabilities = 64 * points_per_full_check;
 constexpr std::uint64_t points_per_excerpt = points_per_full_check;
+// What is proven of a square of pixels is compared with brute force, for so many rays of it.
+constexpr std::uint64_t points_per_proof = points_per_full_check, rays_per_proof = 64;
 
 void check_point(const CheckConfig& config, const PointCase& at, const Judged& judged,
                  Tally& tally) {
@@ -187,6 +190,12 @@ private:
     for (std::uint32_t j = 0; j < w.visible.size(); ++j) w.visible[j] = view_.sees(p, j) ? 1 : 0;
     w.truth.evaluate(*topology_, lights_, p.point, w.visible);
     check_point(config_, {i, p.point, w.visible, w.truth}, {*w.tree, subject_.parts()}, w.tally);
+    if (const LightTree* tree = w.tree->library_tree();
+        tree != nullptr && i % points_per_proof == 0)
+      Judge(subject_.parts(), i, w.tally)
+          .proofs(subject_, view_, *tree,
+                  PixelSquare(view_, random_pixel(view_, config_.seed, i).pixel).seen,
+                  rays_per_proof);
     if (i % points_per_excerpt == 0)
       check_case(subject_, excerpt_of(view_, config_, i), i, w.tally);
   }

@@ -32,7 +32,7 @@ namespace lightcuts::oracle {
 
 /// The first property that check() found violated, violations before waste, of those that
 /// check_case() finds violated in lights and a point alone: not so where it takes the scene's
-/// triangles (occlusion-equals-brute-force), and of materials. Not shrunk.
+/// triangles (occlusion-equals-brute-force, proven-visibility-holds), and of materials. Not shrunk.
 [[nodiscard]] std::optional<Counterexample> counterexample_of(const Subject& subject,
                                                               const SceneView& view,
                                                               const CheckConfig& config,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <oracle/cases/blocks.h>
+#include <oracle/cases/random_picture.h>
 #include <oracle/cases/random_pixels.h>
 
 namespace lightcuts::oracle {
@@ -16,14 +17,6 @@ namespace {
 using gen::Dice;
 
 constexpr int most_lights = 24, most_views = 3;
-
-CutConfig random_cut(Dice& dice, int lights) {
-  CutConfig cut;
-  cut.threshold = dice.pick({0.02F, 0.02F, 0.1F, 0.5F, 0.001F, 2.0F});
-  cut.max_size = dice.one_in(3) ? std::uint32_t(dice.between(1, lights)) : 1000;
-  if (dice.one_in(6)) cut.black_level = std::abs(dice.log_uniform(-6, 0));
-  return cut;
-}
 
 std::vector<std::uint32_t> random_hidden(Dice& dice, std::size_t lights) {
   std::vector<std::uint32_t> hidden;
@@ -48,46 +41,6 @@ Case lights_and_views(Dice& dice) {
   const bool all_seen = std::all_of(c.views.begin(), c.views.end(),
                                     [](const CaseView& view) { return view.hidden.empty(); });
   c.cut.unoccluded = all_seen && dice.one_in(2);
-  return c;
-}
-
-void add_quad(Case& c, const glm::vec3& corner, const glm::vec3& a, const glm::vec3& b) {
-  const std::uint32_t mesh = c.triangles.empty() ? 0 : c.triangles.back().mesh + 1;
-  c.triangles.push_back({corner, corner + a, corner + a + b, mesh});
-  c.triangles.push_back({corner, corner + a + b, corner + b, mesh});
-}
-
-/// A floor with things hanging over it, seen from above, in units of any size.
-Case picture(Dice& dice) {
-  Case c;
-  const float unit = dice.pick({1.0F, 1.0F, 0x1p-60F, 0x1p10F});
-  c.views.push_back({{}, {}});
-  c.views[0].view.material = {glm::vec3(0.5F), {}};
-  const int blockers = dice.between(0, 4);
-  for (int i = 0; i < blockers; ++i) {
-    const glm::vec3 corner =
-        unit * glm::vec3(dice.uniform(-2, 1), dice.uniform(0.5, 2), dice.uniform(-2, 1));
-    const bool upright = dice.one_in(3);
-    add_quad(c, corner, unit * glm::vec3(1, 0, 0),
-             unit * (upright ? glm::vec3(0, 0.5F, 0) : glm::vec3(0, 0, -1)));
-  }
-  const auto floor = std::ptrdiff_t(2 * dice.below(blockers + 1));
-  Case ground;
-  add_quad(ground, unit * glm::vec3(-4, 0, 4), unit * glm::vec3(8, 0, 0),
-           unit * glm::vec3(0, 0, -8));
-  c.triangles.insert(c.triangles.begin() + floor, ground.triangles.begin(), ground.triangles.end());
-  for (std::size_t i = 0; i < c.triangles.size(); ++i) c.triangles[i].mesh = std::uint32_t(i / 2);
-  const int lights = dice.between(1, 6);
-  for (int i = 0; i < lights; ++i) {
-    Light light;
-    light.position =
-        unit * glm::vec3(dice.uniform(-3, 3), dice.uniform(0.25, 3), dice.uniform(-3, 3));
-    light.intensity = glm::vec3(unit * unit * float(dice.uniform(0.5, 2)));
-    c.lights.push_back(light);
-  }
-  c.cut = random_cut(dice, lights);
-  c.camera = {unit * glm::vec3(0.25F, 6, 1), glm::vec3(0), {0, 1, 0}, 50};
-  c.image_size = {dice.between(2, 6), dice.between(2, 6)};
   return c;
 }
 
@@ -273,6 +226,14 @@ void add_history(Dice& dice, Case& c, std::uint32_t questions) {
 
 } // namespace
 
+CutConfig random_cut(Dice& dice, int lights) {
+  CutConfig cut;
+  cut.threshold = dice.pick({0.02F, 0.02F, 0.1F, 0.5F, 0.001F, 2.0F});
+  cut.max_size = dice.one_in(3) ? std::uint32_t(dice.between(1, lights)) : 1000;
+  if (dice.one_in(6)) cut.black_level = std::abs(dice.log_uniform(-6, 0));
+  return cut;
+}
+
 Case small_case(Dice& dice) {
   Dice aside = dice.aside();
   Case c = lights_and_views(dice);
@@ -280,14 +241,12 @@ Case small_case(Dice& dice) {
   return c;
 }
 
-Case picture_case(Dice& dice) { return picture(dice); }
-
 Case random_case(std::uint64_t seed, std::uint64_t index) {
   Dice dice(hashed(seed, index));
   constexpr std::uint64_t every = 500; // a second each
   if (index % every == every - 1 && index / every < most_cases_with_draws) return lottery(dice);
   if (const std::uint32_t count = many_lights_at(index)) return multitude(dice, count);
-  if (dice.one_in(8)) return picture(dice);
+  if (dice.one_in(8)) return picture_case(dice);
   Dice aside = dice.aside();
   Case c = lights_and_views(dice);
   constexpr std::uint64_t epoch = 4000, age = 1U << 16; // a second or so

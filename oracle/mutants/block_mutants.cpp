@@ -7,6 +7,7 @@
 
 #include <oracle/cases/stress_scene.h>
 #include <oracle/mutants/groups.h>
+#include <oracle/subjects/block_cuts_subject.h>
 
 namespace lightcuts::oracle {
 namespace {
@@ -62,6 +63,11 @@ void round_inwards(Views& views) {
   }
 }
 
+template <BlockSlip slip>
+std::unique_ptr<Subject> with_slip(const char* name) {
+  return block_cuts_subject(name, slip);
+}
+
 constexpr Mutant block_catalogue[] = {
     {"block-corner-forgotten", "lets the box of a block's points end at the first of them",
      with_tree<OtherBlock<forget_corner>>},
@@ -71,6 +77,10 @@ constexpr Mutant block_catalogue[] = {
      with_tree<OtherBlock<keep_first_material>>},
     {"block-rounded-inwards", "stores the box of a block's points in steps, rounded inwards",
      with_tree<OtherBlock<round_inwards>>},
+    {"block-total-of-another", "ends a point's cut by the total of another point of its block",
+     with_slip<BlockSlip::cut_of_another>},
+    {"block-share-into-dark", "lets a point see what another point of its block sees",
+     with_slip<BlockSlip::eyes_of_another>},
 };
 
 } // namespace

@@ -24,6 +24,7 @@ namespace lightcuts::oracle {
 [[nodiscard]] std::span<const Mutant> age_mutants();
 [[nodiscard]] std::span<const Mutant> block_mutants();
 [[nodiscard]] std::span<const Mutant> profile_mutants();
+[[nodiscard]] std::span<const Mutant> shaft_mutants();
 
 /// The library's kernel for any tree, of which a mutant puts one thing of its own in place.
 struct LibraryKernel : ClusterKernel {

@@ -19,6 +19,7 @@ class Draws;
 class Invariance;
 class PictureCase;
 struct RayCase;
+struct ProofCase;
 struct HistoryCase;
 
 class Recorder;
@@ -64,6 +65,7 @@ struct PropertyInfo {
   void (*of_invariance)(const Invariance&, const Recorder&) = nullptr;
   void (*of_picture)(const PictureCase&, const Recorder&) = nullptr;
   void (*of_ray)(const RayCase&, const Recorder&) = nullptr;
+  void (*of_proof)(const ProofCase&, const Recorder&) = nullptr;
   void (*of_light)(const ShadingPoint&, const Light&, const Recorder&) = nullptr;
   void (*of_lobe)(const Lobe&, const Recorder&) = nullptr;
 

@@ -3,16 +3,21 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
+#include <lightcuts/core/tree/tree_builder.h>
 #include <oracle/cases/blocks.h>
+#include <oracle/cases/random_pixels.h>
 #include <oracle/properties/bounds/block_answers.h>
 #include <oracle/properties/cut_answer.h>
 #include <oracle/properties/each_view.h>
 #include <oracle/properties/history_case.h>
 #include <oracle/properties/invariance/invariance.h>
 #include <oracle/properties/shading/picture_case.h>
+#include <oracle/properties/shading/proof_case.h>
 #include <oracle/properties/tree_case.h>
 
 namespace lightcuts::oracle {
@@ -113,19 +118,52 @@ void Judge::lobe(const Lobe& lobe) const { run<&PropertyInfo::of_lobe>(lobe); }
 
 void Judge::ray(const RayCase& of) const { run<&PropertyInfo::of_ray>(of); }
 
+void Judge::proofs(const Subject& subject, const SceneView& view, const LightTree& tree,
+                   std::span<const VisiblePoint> points, std::uint64_t most) const {
+  if (!any<&PropertyInfo::of_proof>()) return;
+  const std::vector<ProvenSight> sights = subject.prove(view, tree, points);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> proven; // node, light
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t node = 0; node < sights.size(); ++node) {
+    if (sights[node] == ProvenSight::unknown) continue;
+    for (open.assign(1, node); !open.empty();) {
+      const TreeNode& cluster = tree.node(open.back());
+      open.pop_back();
+      if (cluster.is_leaf()) {
+        proven.emplace_back(node, cluster.representative);
+      } else {
+        open.push_back(cluster.first_child + 1);
+        open.push_back(cluster.first_child);
+      }
+    }
+  }
+  const std::uint64_t pairs = proven.size() * points.size();
+  for (std::uint64_t i = 0; i < std::min(pairs, most); ++i) {
+    const std::uint64_t pair = pairs <= most ? i : hashed(place_, i) % pairs;
+    const auto [node, light] = proven[pair / points.size()];
+    run<&PropertyInfo::of_proof>(
+        ProofCase{view, points[pair % points.size()], light, node, sights[node]});
+  }
+}
+
 void Judge::picture(const Subject& subject, const Case& on) const {
   const bool pixels = has(Part::pictures) && any<&PropertyInfo::of_picture>();
-  const bool rays = any<&PropertyInfo::of_ray>();
-  if (on.triangles.empty() || (!pixels && !rays)) return;
+  const bool rays = any<&PropertyInfo::of_ray>(), proven = any<&PropertyInfo::of_proof>();
+  if (on.triangles.empty() || (!pixels && !rays && !proven)) return;
   const Scene scene = on.scene();
   const SceneView view(scene);
   if (pixels) run<&PropertyInfo::of_picture>(PictureCase(subject, on, view));
-  if (!rays) return;
-  RayCount count;
+  if ((!rays && !proven) || scene.lights.empty()) return;
+  std::vector<VisiblePoint> points;
   for (unsigned y = 0; y < view.size().y; ++y)
     for (unsigned x = 0; x < view.size().x; ++x)
-      if (const auto p = view.at({x, y}))
-        for (std::uint32_t i = 0; i < scene.lights.size(); ++i) ray({subject, view, *p, i, count});
+      if (const auto p = view.at({x, y})) points.push_back(*p);
+  constexpr auto every = std::numeric_limits<std::uint64_t>::max();
+  if (proven) proofs(subject, view, build(scene.lights, {on.seed}), points, every);
+  RayCount count;
+  for (const VisiblePoint& p : points)
+    for (std::uint32_t i = 0; rays && i < scene.lights.size(); ++i)
+      ray({subject, view, p, i, count});
 }
 
 void Judge::invariance(const Subject& subject, const Case& on) const {

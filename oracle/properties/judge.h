@@ -55,7 +55,11 @@ public:
   /// Reflectances do not matter.
   void lobe(const Lobe& lobe) const;
   void ray(const RayCase& of) const;
-  /// A picture of the case's triangles, and rays from what is seen to all lights.
+  /// What the subject proves of the points and each cluster of the scene's lights: every pair of a
+  /// point and a light, or so many of them, drawn by the place, if they are more.
+  void proofs(const Subject& subject, const SceneView& view, const LightTree& tree,
+              std::span<const VisiblePoint> points, std::uint64_t most) const;
+  /// A picture of the case's triangles, proofs for all that is seen at once, and rays from what is seen to all lights.
   void picture(const Subject& subject, const Case& on) const;
 
   /// What changes of the case must not matter.

@@ -43,5 +43,6 @@
   X(brdf_is_reciprocal)                                                                            \
   X(brdf_conserves_energy)                                                                         \
   X(occlusion_equals_brute_force)                                                                  \
+  X(proven_visibility_holds)                                                                       \
   X(pixels_equal_points)                                                                           \
   X(subject_answers)

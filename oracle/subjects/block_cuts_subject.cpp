@@ -4,13 +4,15 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <lightcuts/core/blocks/block_cut_selector.h>
+#include <lightcuts/core/cut/certified_error.h>
 #include <lightcuts/core/kernels/contribution_bound.h>
-#include <lightcuts/core/methods/block_cuts.h>
+#include <lightcuts/core/numerics/rounding.h>
 #include <lightcuts/core/numerics/splitmix.h>
 #include <lightcuts/core/tree/tree_builder.h>
 #include <oracle/subjects/library_subject.h>
@@ -86,10 +88,11 @@ struct Block {
 
 class BlockCutsTree final : public LibraryTree {
 public:
-  using LibraryTree::LibraryTree;
+  BlockCutsTree(std::shared_ptr<const LightTree> tree, BlockSlip slip)
+      : LibraryTree(std::move(tree)), slip_(slip) {}
 
   [[nodiscard]] std::unique_ptr<SubjectTree> for_another_thread() const override {
-    return std::make_unique<BlockCutsTree>(shared_tree());
+    return std::make_unique<BlockCutsTree>(shared_tree(), slip_);
   }
 
   /// A block's bound of a lobe may be less than a point's own; both hold.
@@ -104,13 +107,18 @@ public:
              const std::function<bool(std::uint32_t)>& visible) override {
     PointDice dice(point);
     const Block block(point, dice);
+    const std::uint32_t another = (block.own + 1) % block.points.size();
     const auto seen = [&](std::uint32_t p, std::uint32_t light) {
+      if (slip_ == BlockSlip::eyes_of_another && p == block.own) p = another;
       const std::uint64_t bits = splitmix64(dice.state() ^ (std::uint64_t(p) << 32 | light));
       const bool differs = p != block.own && bits % 8 == 0;
       return visible(light) != differs;
     };
     BlockCutSelector selector(tree(), config);
-    const BlockCut found = selector(block.points, 1, seen, &clusters_)[block.own];
+    const auto cuts = selector(block.points, 1, seen, &clusters_);
+    if (slip_ == BlockSlip::cut_of_another)
+      return lit(point, clusters_[another], cuts[another], visible);
+    const BlockCut& found = cuts[block.own];
     return {.radiance = found.radiance,
             .certified_error = found.certified_error,
             .clusters = clusters_[block.own],
@@ -119,25 +127,49 @@ public:
   }
 
 private:
+  /// The point by clusters of a cut that is not its own.
+  [[nodiscard]] Cut lit(const ShadingPoint& point, std::vector<CutCluster>& clusters,
+                        const BlockCut& of, const std::function<bool(std::uint32_t)>& visible) {
+    glm::dvec3 total(0), error(0);
+    for (CutCluster& c : clusters) {
+      c.visible = visible(tree().node(c.node).representative);
+      c.estimate = c.visible ? estimate(c.node, point, c.bound) : glm::dvec3(0);
+      total += c.estimate;
+      error += glm::dvec3(c.bound);
+    }
+    Cut cut{.clusters = clusters, .shadow_rays = of.shadow_rays, .end = of.end};
+    for (int c = 0; c < 3; ++c) {
+      cut.radiance[c] = to_float(total[c]);
+      cut.certified_error[c] = certified_error(total[c], error[c]);
+    }
+    return cut;
+  }
+
+  BlockSlip slip_;
   std::vector<std::vector<CutCluster>> clusters_;
 };
 
 class BlockCutsSubject final : public KernelSubject {
 public:
-  using KernelSubject::KernelSubject;
+  BlockCutsSubject(std::string name, BlockSlip slip)
+      : KernelSubject(std::move(name)), slip_(slip) {}
   [[nodiscard]] Parts parts() const override {
     return KernelSubject::parts() & ~only(Part::pictures) & ~only(Part::library_rules);
   }
   [[nodiscard]] std::unique_ptr<SubjectTree> build(const LightSet& lights,
                                                    std::uint64_t seed) const override {
-    return std::make_unique<BlockCutsTree>(lightcuts::build(lights, {seed}));
+    return std::make_unique<BlockCutsTree>(
+        std::make_shared<const LightTree>(lightcuts::build(lights, {seed})), slip_);
   }
+
+private:
+  BlockSlip slip_;
 };
 
 } // namespace
 
-std::unique_ptr<Subject> block_cuts_subject() {
-  return std::make_unique<BlockCutsSubject>(methods::block_cuts.name);
+std::unique_ptr<Subject> block_cuts_subject(std::string name, BlockSlip slip) {
+  return std::make_unique<BlockCutsSubject>(std::move(name), slip);
 }
 
 } // namespace lightcuts::oracle

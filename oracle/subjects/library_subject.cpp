@@ -3,6 +3,7 @@
 
 #include <lightcuts/core/methods/paper.h>
 #include <lightcuts/render/view/renderer.h>
+#include <oracle/subjects/proven_sights.h>
 
 namespace lightcuts::oracle {
 
@@ -42,6 +43,11 @@ bool KernelSubject::refined_before(double bound, double other) const {
 bool KernelSubject::sees(const SceneView& view, const VisiblePoint& from,
                          std::uint32_t light) const {
   return view.sees(from, light);
+}
+
+std::vector<ProvenSight> KernelSubject::prove(const SceneView& view, const LightTree& tree,
+                                              std::span<const VisiblePoint> points) const {
+  return proven_sights<ShaftRules>(view, tree, points);
 }
 
 Rendering KernelSubject::render(const SceneView& view, const LightTree& tree,

@@ -159,6 +159,8 @@ public:
   [[nodiscard]] bool refined_before(double bound, double other) const override;
   [[nodiscard]] bool sees(const SceneView& view, const VisiblePoint& from,
                           std::uint32_t light) const override;
+  [[nodiscard]] std::vector<ProvenSight> prove(const SceneView& view, const LightTree& tree,
+                                               std::span<const VisiblePoint> points) const override;
   [[nodiscard]] Rendering render(const SceneView& view, const LightTree& tree,
                                  const RenderConfig& config) const override;
 

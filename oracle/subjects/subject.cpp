@@ -38,6 +38,8 @@ const char* name_of(Part part) {
     return "block bounds";
   case Part::profiles:
     return "lights with profiles";
+  case Part::proofs:
+    return "proven visibility";
   case Part::greedy_tree:
     return "greedy tree";
   case Part::library_rules:
@@ -126,6 +128,11 @@ bool Subject::refined_before(double, double) const { not_a_part(Part::refinement
 
 bool Subject::sees(const SceneView&, const VisiblePoint&, std::uint32_t) const {
   not_a_part(Part::occlusion);
+}
+
+std::vector<ProvenSight> Subject::prove(const SceneView&, const LightTree&,
+                                        std::span<const VisiblePoint>) const {
+  not_a_part(Part::proofs);
 }
 
 Rendering Subject::render(const SceneView&, const LightTree&, const RenderConfig&) const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
+#include <lightcuts/core/blocks/proven_visibility.h>
 #include <lightcuts/core/cut/cut_selector.h>
 #include <lightcuts/core/lights/light_set.h>
 #include <lightcuts/core/lobes/shading_point.h>
@@ -41,12 +42,13 @@ enum class Part : unsigned {
   random_cuts = 256,     ///< SubjectTree::draw()
   block_bounds = 512,    ///< SubjectTree::block_bounds()
   profiles = 1024,       ///< lights of LightKind::profile
+  proofs = 2048,         ///< Subject::prove()
   // Claims.
-  greedy_tree = 2048,  ///< the tree is that of greedy clustering
-  library_rules = 4096 ///< what this library promises beyond what makes a light tree right
+  greedy_tree = 4096,  ///< the tree is that of greedy clustering
+  library_rules = 8192 ///< what this library promises beyond what makes a light tree right
 };
-inline constexpr int part_count = 11; ///< claims not counted
-inline constexpr Parts all_parts_and_claims = (1U << 13) - 1;
+inline constexpr int part_count = 12; ///< claims not counted
+inline constexpr Parts all_parts_and_claims = (1U << 14) - 1;
 [[nodiscard]] constexpr Parts only(Part part) { return unsigned(part); }
 [[nodiscard]] constexpr bool has(Parts parts, Part part) { return (parts & only(part)) != 0; }
 [[nodiscard]] const char* name_of(Part part);
@@ -140,6 +142,11 @@ public:
   /// Whether a light is seen from the point.
   [[nodiscard]] virtual bool sees(const SceneView& view, const VisiblePoint& from,
                                   std::uint32_t light) const;
+  /// What the subject proves of each cluster without casting a ray: whether all lights are seen
+  /// from all of the points, or from none. Of what lies within a cluster of which it is known,
+  /// nothing has to be said.
+  [[nodiscard]] virtual std::vector<ProvenSight> prove(const SceneView& view, const LightTree& tree,
+                                                       std::span<const VisiblePoint> points) const;
   /// A picture of the scene; a pixel is what select() makes of its point.
   [[nodiscard]] virtual Rendering render(const SceneView& view, const LightTree& tree,
                                          const RenderConfig& config) const;
