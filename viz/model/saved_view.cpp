@@ -29,7 +29,7 @@ void add_values(const char* name, const LayerValues& layer, Film& film) {
 }
 
 bool is_known(Layer layer, const LayerSources& sources) {
-  if (layer.needs_truth()) return sources.truth->share() > 0;
+  if (const Picture* other = sources.instead_of_frame(layer)) return other->share() > 0;
   return sources.frame->share() > 0 && (!layer.needs_reference() || sources.reference->share() > 0);
 }
 

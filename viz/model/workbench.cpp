@@ -166,6 +166,7 @@ LayerSources Workbench::sources(const DisplayMethod& display, Layer layer) {
   sources.frame = queue_.frame(key_of(display.method()));
   if (layer.needs_reference()) sources.reference = queue_.frame(key_of(methods::reference));
   if (layer.needs_truth()) sources.truth = queue_.truth(key_of(display.method()));
+  if (layer.needs_blocks()) sources.blocks = queue_.blocks(key_of(display.method()));
   return sources;
 }
 
@@ -173,9 +174,11 @@ std::vector<std::shared_ptr<Picture>> Workbench::wanted_pictures() {
   std::vector<std::shared_ptr<Picture>> wanted;
   const auto want = [&](const DisplayMethod& display) {
     if (display.is_raster() && state.layer.is_image()) return;
-    if (!state.layer.needs_truth()) wanted.push_back(queue_.frame(key_of(display.method())));
+    if (!state.layer.needs_truth() && !state.layer.needs_blocks())
+      wanted.push_back(queue_.frame(key_of(display.method())));
     if (state.layer.needs_reference()) wanted.push_back(queue_.frame(key_of(methods::reference)));
     if (state.layer.needs_truth()) wanted.push_back(queue_.truth(key_of(display.method())));
+    if (state.layer.needs_blocks()) wanted.push_back(queue_.blocks(key_of(display.method())));
   };
   if (wants_reference) want(methods::reference);
   want(state.display);

@@ -68,6 +68,19 @@ TEST(Workbench, MakesWhatTheLayerNeeds) {
   EXPECT_THAT(sources.truth->violations(), testing::Each(0));
 }
 
+TEST(Workbench, MakesWhatBlocksShareOnlyForTheLayersOfThat) {
+  SmallWorkbench bench;
+  bench.state.display = methods::block_cuts;
+  settle(bench);
+  EXPECT_EQ(bench.sources(methods::block_cuts, layers::image).blocks, nullptr);
+  EXPECT_EQ(bench.sources(methods::block_cuts, layers::block_size).blocks->share(), 0);
+  bench.state.layer = layers::proven;
+  settle(bench);
+  const LayerSources sources = bench.sources(methods::block_cuts, layers::proven);
+  EXPECT_TRUE(sources.blocks->complete());
+  EXPECT_GT(statistics_of(layer_values(layers::proven, sources)).mean, 0.05);
+}
+
 TEST(Workbench, MakesBothSidesOfASplit) {
   SmallWorkbench bench;
   bench.state.split = true;

@@ -6,6 +6,7 @@
 
 #include <tests/viz/support/gui_robot.h>
 #include <viz/model/layers/all_layers.h>
+#include <viz/model/picture/outline.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -59,6 +60,52 @@ TEST(GuiSelection, ArrowsMoveThePixelAndEscapeLetsGo) {
   EXPECT_EQ(robot.state().pixel, glm::uvec2(0, 29)); // no farther than the edge
   robot.press(GLFW_KEY_ESCAPE);
   EXPECT_FALSE(robot.state().pixel);
+}
+
+/// Of the screenshot, how many of the points along the pixel edge have the outline's colour.
+int outlined(Robot& robot, const PixelEdge& edge) {
+  const auto& image = robot.app().image();
+  const auto shot = robot.screen().screenshot();
+  const auto is_blue = [&](const glm::dvec2& at) { // antialiased, so not one colour
+    for (int y = -1; y <= 1; ++y)
+      for (int x = -1; x <= 1; ++x) {
+        const glm::ivec2 p = glm::ivec2(at) + glm::ivec2(x, y);
+        const Rgb8& c = shot[std::size_t(p.y) * robot.screen().size().x + std::size_t(p.x)];
+        if (c.b > c.r + 60 && c.b > 100) return true;
+      }
+    return false;
+  };
+  int count = 0;
+  for (const double t : {0.3, 0.5, 0.7})
+    if (is_blue(to_screen(image.view(), image.area(),
+                          glm::mix(glm::dvec2(edge.from), glm::dvec2(edge.to), t))))
+      ++count;
+  return count;
+}
+
+TEST(GuiSelection, OutlinesThePixelsThatShareTheClickedPixelsCut) {
+  Robot robot(small_room());
+  robot.state().display = methods::block_cuts;
+  robot.settle();
+  robot.click(robot.on_screen({20, 30}));
+  robot.settle();
+  robot.move({5, 5}); // no tooltip in the way
+  const std::vector<glm::uvec2> block = robot.workbench().inspection()->inspection.block;
+  ASSERT_GT(block.size(), 1U);
+  std::vector<PixelEdge> outline = outline_of(block);
+  // The selected pixel's own outline lies above.
+  std::erase_if(outline, [](const PixelEdge& e) {
+    return glm::distance(0.5 * glm::dvec2(e.from + e.to), glm::dvec2(20.5, 30.5)) < 1.2;
+  });
+  ASSERT_FALSE(outline.empty());
+  int seen = 0;
+  for (const PixelEdge& edge : outline) seen += outlined(robot, edge);
+  EXPECT_EQ(seen, 3 * int(outline.size()));
+  // Not where it does not go, and not by a method that lights each pixel alone.
+  EXPECT_EQ(outlined(robot, {{50, 10}, {51, 10}}), 0);
+  robot.state().display = methods::lightcuts;
+  robot.settle();
+  for (const PixelEdge& edge : outline) EXPECT_EQ(outlined(robot, edge), 0);
 }
 
 TEST(GuiSelection, StepsThroughRefinementsAndBack) {

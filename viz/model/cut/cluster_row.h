@@ -9,6 +9,8 @@
 #include <lightcuts/core/geometry/box.h>
 #include <oracle/subjects/topology.h>
 
+#include <viz/model/picture/sight.h>
+
 namespace lightcuts::viz {
 
 /// One cluster of a tree as seen from a shading point: a row of the table of a cut.
@@ -19,7 +21,9 @@ struct ClusterRow {
   glm::dvec3 intensity{0}; ///< total of its lights, W/sr
   /// Index of a light, or unsaid.
   std::uint32_t representative = oracle::TreeClaim::unsaid;
-  bool visible = true;    ///< whether the representative is seen
+  bool visible = true; ///< whether the representative is seen
+  /// How that is known; nothing where nobody has asked, and of clusters beside a cut.
+  std::optional<Sight> sight;
   double distance = 0;    ///< from the shading point to the nearest point of the box, metres; 0 for
                           ///< directional lights
   glm::vec3 bound{0};     ///< of the error of the estimate, radiance

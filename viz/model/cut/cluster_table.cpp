@@ -20,6 +20,11 @@ constexpr std::array<ClusterColumnInfo, cluster_column_count> columns{{
     {"share", "",
      "How near the bound is to what is allowed; at most 1 where it obeys.\n"
      "max over R, G, B of bound / max(threshold * total, black level)"},
+    {"sight", "",
+     "How it is known whether the cluster is seen.\n"
+     "seen, hidden: proven for all pixels of the block, without a ray\n"
+     "ray: by the pixel's own shadow ray to the light that stands for it\n"
+     "share: estimated by rays to some of its lights, of the pixel or of its block"},
     {"bound", "radiance",
      "Upper bound of the estimate's error.\n|estimate - truth| <= bound in each channel\n"
      "shown: the largest of R, G, B"},
@@ -90,6 +95,14 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
+/// As conditions have it: sight by its names.
+std::optional<double> value_of(ClusterColumn column, std::string_view text) {
+  if (column != ClusterColumn::sight) return number(text);
+  const auto at = std::find(sight_names.begin(), sight_names.end(), text);
+  if (at == sight_names.end()) return std::nullopt;
+  return double(at - sight_names.begin());
+}
+
 std::string all_names() {
   std::string names;
   for (const ClusterColumnInfo& column : columns) names += fmt::format("{} ", column.name);
@@ -110,7 +123,9 @@ std::string add_condition(std::string_view word, RowFilter& filter) {
   const auto comparison = comparison_named(word.substr(begin, end - begin));
   if (!comparison)
     return fmt::format("\"{}\": after the name there has to be one of < <= = != >= >", word);
-  const auto value = number(word.substr(end));
+  const auto value = value_of(*column, word.substr(end));
+  if (!value && column == ClusterColumn::sight)
+    return fmt::format("\"{}\": ends in none of {}", word, fmt::join(sight_names, " "));
   if (!value) return fmt::format("\"{}\": ends in no number", word);
   filter.require({*column, *comparison, *value});
   return {};
@@ -146,6 +161,9 @@ std::optional<double> scalar_of(const ClusterRow& row, ClusterColumn column) {
     return error(row);
   case ClusterColumn::share:
     return row.share;
+  case ClusterColumn::sight:
+    if (!row.sight) return std::nullopt;
+    return double(*row.sight);
   }
   return std::nullopt;
 }

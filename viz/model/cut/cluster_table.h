@@ -17,6 +17,7 @@ enum class ClusterColumn {
   depth,
   lights,
   share,
+  sight,
   bound,
   estimate,
   truth,
@@ -25,7 +26,7 @@ enum class ClusterColumn {
   distance,
   representative
 };
-inline constexpr int cluster_column_count = 11;
+inline constexpr int cluster_column_count = 12;
 
 struct ClusterColumnInfo {
   std::string_view name; ///< as filters call it
@@ -35,8 +36,9 @@ struct ClusterColumnInfo {
 [[nodiscard]] const ClusterColumnInfo& info_of(ClusterColumn column);
 
 /// The one number by which a row is sorted and filtered: of RGB quantities the sum of the channels
-/// for intensity, estimate, truth and error, the largest for bound. Nothing where it is not known:
-/// an unsaid representative, a truth that is not there yet.
+/// for intensity, estimate, truth and error, the largest for bound; of sight its place
+/// in sight_names. Nothing where it is not known: an unsaid representative, a truth that is not
+/// there yet.
 [[nodiscard]] std::optional<double> scalar_of(const ClusterRow& row, ClusterColumn column);
 
 /// Conditions on rows of the table; an empty filter accepts any row.
@@ -67,7 +69,8 @@ struct FilterReading {
 };
 
 /// Reads conditions separated by white space, all of which must hold: a column's name, one of
-/// < <= = != >= > and a number ("lights>10 error>=1e-3 node=17"), or "visible", or "hidden".
+/// < <= = != >= > and a number ("lights>10 error>=1e-3 node=17"; of sight one of sight_names,
+/// "sight=share"), or "visible", or "hidden".
 [[nodiscard]] FilterReading read_filter(std::string_view text);
 
 /// Indices of the rows that the filter accepts, by the column's scalar; equal ones stay in their

@@ -48,7 +48,7 @@ void add_arrow(const glm::vec3& from, const glm::vec3& direction, Overlay& out) 
 void add_representative(const glm::vec3& from, const ClusterRow& row, bool selected, Overlay& out) {
   const glm::vec3& to = row.representative_position;
   if (row.representative == oracle::TreeClaim::unsaid) return;
-  Rgba8 colour = row.visible ? seen_colour : blocked_colour;
+  Rgba8 colour = line_colour(row);
   if (selected) colour.a = 255;
   out.lines.push_back({from, to, colour, selected ? thick : thin});
   colour.a = 255;
@@ -117,6 +117,13 @@ Rgba8 cluster_colour(std::optional<double> value, const HeatMapScale& scale) {
   auto number = float(*value);
   if (std::isfinite(number)) number = darkest + (1 - darkest) * fraction_of(number, scale);
   return {heat_colour(number, {}), 255};
+}
+
+Rgba8 line_colour(const ClusterRow& row) {
+  if (row.sight == Sight::seen) return proven_seen_colour;
+  if (row.sight == Sight::hidden) return proven_hidden_colour;
+  if (row.sight == Sight::share) return share_colour;
+  return row.visible ? seen_colour : blocked_colour;
 }
 
 Overlay overlay_of(const glm::vec3& position, const glm::vec3& normal,

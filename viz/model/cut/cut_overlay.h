@@ -29,10 +29,13 @@ enum class ClusterColour { error, bound, lights };
 [[nodiscard]] Rgba8 cluster_colour(std::optional<double> value, const HeatMapScale& scale);
 
 inline constexpr Rgba8 unknown_colour{128, 128, 128, 255};
-inline constexpr Rgba8 selected_colour{60, 255, 90, 255}; ///< green, which the map has not
-inline constexpr Rgba8 seen_colour{235, 235, 225, 110};   ///< of lines to lights that are seen
-inline constexpr Rgba8 blocked_colour{255, 50, 40, 150};  ///< of lines to those that are not
-inline constexpr Rgba8 normal_colour{90, 170, 255, 255};  ///< of the arrow, and of the point
+inline constexpr Rgba8 selected_colour{60, 255, 90, 255};     ///< green, which the map has not
+inline constexpr Rgba8 seen_colour{235, 235, 225, 110};       ///< of lines to lights that are seen
+inline constexpr Rgba8 blocked_colour{255, 50, 40, 150};      ///< of lines to those that are not
+inline constexpr Rgba8 proven_seen_colour{90, 215, 255, 110}; ///< where that is proven
+inline constexpr Rgba8 proven_hidden_colour{200, 70, 255, 150}; ///< where that is proven
+inline constexpr Rgba8 share_colour{255, 190, 60, 110};         ///< where a share is estimated
+inline constexpr Rgba8 normal_colour{90, 170, 255, 255};        ///< of the arrow, and of the point
 
 struct OverlayOptions {
   ClusterColour colour_by = ClusterColour::error; ///< default error
@@ -42,6 +45,9 @@ struct OverlayOptions {
   std::uint32_t most_boxes = 500; ///< those of the largest values; default 500
   float scene_diagonal = 1;       ///< metres, for the length of the normal; default 1
 };
+
+/// Of the line to a cluster's representative: by whether it is seen, and how that is known.
+[[nodiscard]] Rgba8 line_colour(const ClusterRow& row);
 
 /// The drawing of a cut: boxes of clusters (of those with some extent) coloured by their value,
 /// lines to representatives, which are points, and the normal (unit, or 0 for none) as an arrow

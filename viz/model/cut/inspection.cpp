@@ -7,12 +7,11 @@
 #include <unordered_set>
 
 #include <glm/geometric.hpp>
-#include <lightcuts/core/blocks/block_cut_selector.h>
 #include <lightcuts/core/numerics/exact_dot.h>
-#include <lightcuts/render/shafts/shaft_prover.h>
-#include <lightcuts/render/view/pixel_square.h>
 #include <oracle/properties/point_case.h>
 #include <oracle/truth/clairvoyant.h>
+
+#include <viz/model/picture/lit_square.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -66,21 +65,39 @@ public:
     return tree.draw(point(), config, query, sees_light);
   }
 
+  /// Of each cluster of the last cut().
+  [[nodiscard]] std::vector<std::optional<Sight>> sights(const Cut& cut) const {
+    if (lit_) return lit_->sights(lit_->index_of(key_.pixel));
+    std::vector<std::optional<Sight>> sights;
+    for (const CutCluster& cluster : cut.clusters) {
+      std::optional<Sight>& sight = sights.emplace_back();
+      if (config().unoccluded)
+        sight = Sight::seen;
+      else if (scene_.topology().representative(cluster.node) != oracle::TreeClaim::unsaid &&
+               !(cluster.visible &&
+                 cluster.estimate == glm::dvec3(0))) // no ray is cast for nothing
+        sight = Sight::ray;
+    }
+    return sights;
+  }
+  /// The pixels that shared the last cut(); empty where its method lights each alone.
+  [[nodiscard]] std::vector<glm::uvec2> block() const {
+    std::vector<glm::uvec2> block;
+    if (lit_)
+      for (const std::uint32_t p : lit_->block(lit_->index_of(key_.pixel)))
+        block.push_back(lit_->pixels()[p]);
+    return block;
+  }
+
 private:
   /// What the pixel gets where its square is lit, as the renderer does it.
   [[nodiscard]] Cut cut_in_square(const CutConfig& config) const {
-    const PixelSquare square(view_, key_.pixel);
-    BlockCutSelector select(*scene_.tree(), config, key_.frame.settings.seed);
-    const auto sees_light = [&](std::uint32_t p, std::uint32_t light) {
-      return view_.sees(square.seen[p], light);
-    };
-    const auto own = std::ranges::find(square.pixels, key_.pixel) - square.pixels.begin();
-    ShaftProver proven(view_.triangles(), square.ray_origins());
-    const BlockCut cut =
-        select(square.points, square.query, {sees_light, &proven}, &clusters_)[own];
+    lit_.emplace(view_, *scene_.tree(), config, key_.frame.settings.seed, key_.pixel);
+    const std::size_t own = lit_->index_of(key_.pixel);
+    const BlockCut& cut = lit_->cut(own);
     return {.radiance = cut.radiance,
             .certified_error = cut.certified_error,
-            .clusters = clusters_[std::size_t(own)],
+            .clusters = lit_->clusters(own),
             .shadow_rays = cut.shadow_rays,
             .end = cut.end};
   }
@@ -90,7 +107,7 @@ private:
   SceneView view_;
   std::optional<VisiblePoint> visible_;
   std::unordered_set<std::uint32_t> hidden_;
-  mutable std::vector<std::vector<CutCluster>> clusters_; ///< of the square's pixels
+  mutable std::optional<LitSquare> lit_; ///< by the last cut() of a method that shares
 };
 
 /// Distance to the nearest point of the box, metres.
@@ -243,8 +260,12 @@ Inspection inspect(const InspectionKey& key) {
   inspection.end = cut.end;
   inspection.shadow_rays = cut.shadow_rays;
   const glm::dvec3 total = total_of(cut);
-  for (const CutCluster& cluster : cut.clusters)
-    inspection.clusters.push_back(row_for(place, cluster, inspection.config, total));
+  const std::vector<std::optional<Sight>> sights = place.sights(cut);
+  for (std::size_t i = 0; i < cut.clusters.size(); ++i) {
+    inspection.clusters.push_back(row_for(place, cut.clusters[i], inspection.config, total));
+    inspection.clusters.back().sight = sights[i];
+  }
+  inspection.block = place.block();
   if (cut.clusters.size() < inspection.final_size)
     inspection.refined_next = refined_between(cut, *tree, place);
   return inspection;

@@ -35,6 +35,9 @@ struct Inspection {
   CutEnd end = CutEnd::converged;
   std::uint32_t shadow_rays = 0;
   std::vector<ClusterRow> clusters;
+  /// The pixels that went down the tree together with this one, itself among them; empty by
+  /// methods that light each alone.
+  std::vector<glm::uvec2> block;
   std::uint32_t final_size = 0; ///< clusters of the final cut
   /// The node that the next refinement replaces; nothing at the last step.
   std::optional<std::uint32_t> refined_next;

@@ -11,6 +11,7 @@
 
 namespace lightcuts::viz {
 
+class BlockPicture;
 class TruthPicture;
 
 /// A pixel that sees a surface, with all that a layer may make its value of.
@@ -18,6 +19,7 @@ struct LayerPixel {
   const Rendering& picture;
   const Rendering* reference; ///< not null where LayerInfo::needs asks for it
   const TruthPicture* truth;  ///< not null where LayerInfo::needs asks for it
+  const BlockPicture* blocks; ///< not null where LayerInfo::needs asks for it
   float black_level;          ///< of the picture's cuts, radiance
   std::size_t i;              ///< the pixel, row by row from the top left
 };
@@ -35,6 +37,7 @@ struct LayerPixel {
 enum class LayerNeeds : std::uint8_t {
   frame,     ///< nothing
   reference, ///< a frame of the reference
+  blocks,    ///< what the pixels of a block have shared
   truth      ///< the true contribution of every cluster at every pixel
 };
 
@@ -66,6 +69,7 @@ public:
   [[nodiscard]] constexpr bool needs_reference() const {
     return info_->needs == LayerNeeds::reference;
   }
+  [[nodiscard]] constexpr bool needs_blocks() const { return info_->needs == LayerNeeds::blocks; }
   [[nodiscard]] constexpr bool needs_truth() const { return info_->needs == LayerNeeds::truth; }
 
 private:

@@ -13,17 +13,18 @@ namespace {
 
 LayerPixel pixel_of(const LayerSources& sources, std::size_t i) {
   const Rendering* reference = sources.reference ? &sources.reference->rendering() : nullptr;
-  return {sources.frame->rendering(), reference, sources.truth.get(),
+  return {sources.frame->rendering(),       reference, sources.truth.get(), sources.blocks.get(),
           sources.frame->cut().black_level, i};
 }
 
 bool sees_surface(Layer layer, const LayerPixel& p) {
+  if (layer.needs_blocks()) return p.blocks->block_size()[p.i] > 0;
   return (layer.needs_truth() ? p.truth->clairvoyant() : p.picture.cut_size)[p.i] > 0;
 }
 
 /// Per pixel the pixel that stands for it in all pictures that the layer needs.
 std::vector<std::uint32_t> common_sources(Layer layer, const LayerSources& sources) {
-  if (layer.needs_truth()) return sources.truth->sources();
+  if (const Picture* other = sources.instead_of_frame(layer)) return other->sources();
   std::vector<std::uint32_t> from = sources.frame->sources();
   if (!layer.needs_reference()) return from;
   const std::vector<std::uint32_t> other = sources.reference->sources();
@@ -42,7 +43,7 @@ std::vector<std::uint32_t> common_sources(Layer layer, const LayerSources& sourc
 } // namespace
 
 std::uint64_t version_of(Layer layer, const LayerSources& sources) {
-  if (layer.needs_truth()) return sources.truth->version();
+  if (const Picture* other = sources.instead_of_frame(layer)) return other->version();
   return sources.frame->version() + (layer.needs_reference() ? sources.reference->version() : 0);
 }
 
@@ -74,9 +75,9 @@ LayerValues layer_values(Layer layer, const LayerSources& sources) {
 std::optional<float> layer_value(Layer layer, const LayerSources& sources, glm::uvec2 pixel) {
   const std::uint32_t own = pixel.y * sources.frame->size().x + pixel.x;
   const auto knows = [&](const Picture* picture) { return picture->source_of(pixel) == own; };
-  if (layer.needs_truth() && !knows(sources.truth.get())) return std::nullopt;
+  const Picture* const other = sources.instead_of_frame(layer);
+  if (!knows(other != nullptr ? other : sources.frame.get())) return std::nullopt;
   if (layer.needs_reference() && !knows(sources.reference.get())) return std::nullopt;
-  if (!layer.needs_truth() && !knows(sources.frame.get())) return std::nullopt;
   const LayerPixel at = pixel_of(sources, own);
   return sees_surface(layer, at) ? std::optional(layer->value(at)) : std::nullopt;
 }

@@ -11,17 +11,26 @@
 #include <lightcuts/render/images/colour_map.h>
 
 #include <viz/model/layers/layer.h>
+#include <viz/model/picture/block_picture.h>
 #include <viz/model/picture/frame.h>
 #include <viz/model/picture/truth_picture.h>
 
 namespace lightcuts::viz {
 
 /// The pictures that a layer is computed from: the frame, and where the layer needs them the
-/// reference and the truth, of the same scene, camera and size.
+/// reference, the truth and the blocks, of the same scene, camera and size.
 struct LayerSources {
   std::shared_ptr<const Frame> frame;
   std::shared_ptr<const Frame> reference;
   std::shared_ptr<const TruthPicture> truth;
+  std::shared_ptr<const BlockPicture> blocks = nullptr;
+
+  /// The picture that alone makes the layer, beside the frame's settings; null where it is made of
+  /// the frame.
+  [[nodiscard]] const Picture* instead_of_frame(Layer layer) const {
+    if (layer.needs_truth()) return truth.get();
+    return layer.needs_blocks() ? blocks.get() : nullptr;
+  }
 };
 
 /// A layer as far as it is known, row by row from the top left.

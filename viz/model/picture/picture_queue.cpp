@@ -36,6 +36,10 @@ std::shared_ptr<TruthPicture> PictureQueue::truth(const FrameKey& key) {
   return remembered(truths_, key, most_remembered);
 }
 
+std::shared_ptr<BlockPicture> PictureQueue::blocks(const FrameKey& key) {
+  return remembered(blocks_, key, most_remembered);
+}
+
 void PictureQueue::want(std::vector<std::shared_ptr<Picture>> pictures) {
   if (pictures == wanted_) return;
   wanted_ = std::move(pictures);
@@ -61,6 +65,7 @@ void PictureQueue::clear() {
   worker_.cancel();
   frames_.clear();
   truths_.clear();
+  blocks_.clear();
 }
 
 } // namespace lightcuts::viz

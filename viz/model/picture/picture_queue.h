@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <viz/model/jobs/worker.h>
+#include <viz/model/picture/block_picture.h>
 #include <viz/model/picture/frame.h>
 #include <viz/model/picture/truth_picture.h>
 
@@ -19,6 +20,7 @@ public:
   /// The picture of the key, remembered or new; nothing of it is made yet.
   [[nodiscard]] std::shared_ptr<Frame> frame(const FrameKey& key);
   [[nodiscard]] std::shared_ptr<TruthPicture> truth(const FrameKey& key);
+  [[nodiscard]] std::shared_ptr<BlockPicture> blocks(const FrameKey& key);
 
   /// Makes these, one after the other, and stops all else. Cheap where nothing has changed: to be
   /// called for every frame of the window.
@@ -32,10 +34,11 @@ public:
   void clear();
 
 private:
-  static constexpr std::size_t most_remembered = 16; ///< of either kind
+  static constexpr std::size_t most_remembered = 16; ///< of each kind
 
   std::vector<std::shared_ptr<Frame>> frames_;
   std::vector<std::shared_ptr<TruthPicture>> truths_;
+  std::vector<std::shared_ptr<BlockPicture>> blocks_;
   std::vector<std::shared_ptr<Picture>> wanted_;
   Worker worker_; ///< last: ends before what it works on
 };

@@ -22,6 +22,7 @@ constexpr ImGuiTableFlags table_flags =
     ImGuiTableFlags_ScrollY | ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit;
 
 std::string cell_text(const ClusterRow& row, ClusterColumn column) {
+  if (column == ClusterColumn::sight) return row.sight ? name_of(*row.sight) : "-";
   const std::optional<double> value = scalar_of(row, column);
   if (value && column <= ClusterColumn::lights) return fmt::format("{:.0f}", *value);
   if (value && column == ClusterColumn::representative) return fmt::format("{:.0f}", *value);
@@ -37,9 +38,11 @@ std::string details(const ClusterRow& row) {
                      : row.visible                                   ? "seen"
                                                                      : "hidden";
   return fmt::format("node {}, depth {}, {}\nintensity {} W/sr\nrepresentative {} ({})\n"
+                     "sight {}\n"
                      "bound    {} radiance\nestimate {}\ntruth    {}\nerror    {}\nshare {}",
                      row.node, row.depth, counted(row.lights, "light"), rgb_text(row.intensity),
-                     cell_text(row, ClusterColumn::representative), seen, rgb_text(row.bound),
+                     cell_text(row, ClusterColumn::representative), seen,
+                     cell_text(row, ClusterColumn::sight), rgb_text(row.bound),
                      rgb_text(row.estimate), truth, error_text, short_text(row.share));
 }
 
@@ -68,7 +71,8 @@ void draw_filter(const ClusterContents& contents, ClusterPanelState& state) {
   ImGui::InputTextWithHint("##filter", "filter: lights>10 error>=1e-3 hidden", &state.filter);
   if (ImGui::IsItemHovered())
     ImGui::SetTooltip("Conditions separated by spaces, all of which must hold:\n"
-                      "a column, one of < <= = != >= >, and a number; or visible, or hidden.");
+                      "a column, one of < <= = != >= >, and a number; or visible, or hidden;\n"
+                      "or sight=seen, hidden, ray or share.");
   update_order(contents, state);
   ImGui::SameLine();
   ImGui::Text("%zu of %zu", state.order->rows.size(), contents.rows.size());

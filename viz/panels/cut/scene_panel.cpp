@@ -81,7 +81,9 @@ void ScenePanel::draw_options() {
   ImGui::SameLine();
   ImGui::Checkbox("lines", &options_.lines);
   tooltip(
-      "From the shading point to representatives: white where they are seen, red where blocked. "
+      "From the shading point to representatives: white where they are seen, red where blocked; "
+      "of pixels lit together blue where proven to be seen, violet where proven to be hidden, "
+      "and orange where a share is estimated. "
       "Left drag turns the scene, right drag moves it, the wheel goes nearer; a click selects "
       "the cluster whose representative is nearest.");
 }

@@ -12,6 +12,7 @@
 #include <lightcuts/render/images/film.h>
 #include <lightcuts/render/view/camera.h>
 #include <viz/model/layers/value_text.h>
+#include <viz/model/picture/outline.h>
 #include <viz/panels/gui/drawing.h>
 #include <viz/panels/picture/pixel_text.h>
 
@@ -22,6 +23,8 @@ namespace {
 constexpr double zoom_for_values = 44;
 /// Time that a rasterised picture may take of a frame of the window, milliseconds.
 constexpr double raster_budget = 6, raster_budget_moving = 12;
+
+constexpr ImU32 block_colour = IM_COL32(90, 200, 255, 255); // not that of the selection
 
 constexpr double camera_radians_per_pixel = 0.006;
 
@@ -44,6 +47,7 @@ void ImagePanel::draw(Workbench& workbench) {
   list->PushClipRect(origin, to_imgui(area_.origin + area_.size), true);
   draw_pictures(workbench);
   draw_pixel_values(workbench);
+  draw_block(workbench);
   draw_selection(workbench);
   draw_split(workbench);
   list->PopClipRect();
@@ -231,6 +235,20 @@ void ImagePanel::draw_pixel_values(Workbench& workbench) {
       const ShownPicture& shown = right ? compared_ : shown_;
       draw_value_in_pixel(shown, std::size_t(y) * size.x + x, at, float(view_.zoom));
     }
+}
+
+void ImagePanel::draw_block(const Workbench& workbench) {
+  const auto& result = workbench.inspection();
+  // That of an earlier pixel may still be there.
+  if (!result || !workbench.state.pixel || result->key.pixel != *workbench.state.pixel) return;
+  if (result->key.frame.method != workbench.state.display.method()) return;
+  const std::vector<PixelEdge> outline = outline_of(result->inspection.block);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto at = [&](glm::uvec2 corner) {
+    return to_imgui(to_screen(view_, area_, glm::dvec2(corner)));
+  };
+  for (const PixelEdge& e : outline) list->AddLine(at(e.from), at(e.to), IM_COL32(0, 0, 0, 255), 3);
+  for (const PixelEdge& e : outline) list->AddLine(at(e.from), at(e.to), block_colour, 1.5F);
 }
 
 void ImagePanel::draw_selection(const Workbench& workbench) {

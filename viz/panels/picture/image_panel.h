@@ -44,6 +44,7 @@ private:
   void click(Workbench& workbench);
   void draw_pictures(Workbench& workbench);
   void draw_pixel_values(Workbench& workbench);
+  void draw_block(const Workbench& workbench);
   void draw_selection(const Workbench& workbench);
   void draw_split(Workbench& workbench);
   void draw_tooltip(Workbench& workbench);

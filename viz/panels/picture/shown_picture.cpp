@@ -6,6 +6,7 @@ namespace {
 
 bool is_complete(const LayerSources& sources) {
   if (sources.truth) return sources.truth->complete();
+  if (sources.blocks) return sources.blocks->complete();
   return sources.frame->complete() && (!sources.reference || sources.reference->complete());
 }
 
@@ -13,8 +14,8 @@ bool is_complete(const LayerSources& sources) {
 
 void ShownPicture::refresh(Workbench& workbench, const Wish& wish) {
   const LayerSources sources = workbench.sources(wish.display, wish.layer);
-  const Identity identity{sources.frame,           sources.reference, sources.truth, wish.layer,
-                          workbench.state.colours, wish.exposure,     wish.scale};
+  const Identity identity{sources.frame, sources.reference,       sources.truth, sources.blocks,
+                          wish.layer,    workbench.state.colours, wish.exposure, wish.scale};
   const std::uint64_t source_version = version_of(wish.layer, sources);
   const bool same = identity == identity_ && version_ > 0;
   if (same && source_version == source_version_) return;
@@ -29,7 +30,7 @@ void ShownPicture::refresh(Workbench& workbench, const Wish& wish) {
 void ShownPicture::refresh(const std::vector<glm::vec3>& image, glm::uvec2 size,
                            std::uint64_t version, const ColourSettings& colours,
                            std::optional<float> exposure) {
-  const Identity identity{{}, {}, {}, layers::image, colours, exposure, {}};
+  const Identity identity{{}, {}, {}, {}, layers::image, colours, exposure, {}};
   if (identity == identity_ && version_ > 0 && version == source_version_) return;
   identity_ = identity;
   source_version_ = version;

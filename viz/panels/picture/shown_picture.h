@@ -41,7 +41,7 @@ private:
 
   /// All that the texture was made from.
   struct Identity {
-    std::shared_ptr<const void> frame, reference, truth;
+    std::shared_ptr<const void> frame, reference, truth, blocks;
     Layer layer = layers::image;
     ColourSettings colours;
     std::optional<float> exposure;

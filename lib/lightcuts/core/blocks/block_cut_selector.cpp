@@ -85,9 +85,9 @@ void BlockCutSelector::light(Members members) {
 
 bool BlockCutSelector::walk(const ShadingBlock& block) {
   evidence_.start(points_, splitmix64(seed_ ^ query_) + members_.front());
-  ProvenVisibility* const proven = config_.unoccluded ? nullptr : visible_->proven();
-  if (proven != nullptr) proven->start(members_);
-  chain_.start(block, proven);
+  ProvenVisibility* const proven = visible_->proven();
+  if (proven != nullptr) proven->start(members_); // who are together, whether it is asked or not
+  chain_.start(block, config_.unoccluded ? nullptr : proven);
   block_ = &block;
   lows_.clear();
   share_.start(places_);

@@ -126,6 +126,18 @@ TEST(ClusterFilter, KnowsWhichRepresentativesAreSeen) {
   EXPECT_THAT(filtered(rows, "hidden visible"), IsEmpty());
 }
 
+TEST(ClusterFilter, KnowsHowTheirVisibilityWasFoundByName) {
+  std::vector<ClusterRow> rows{row(0, 1), row(1, 1), row(2, 1), row(3, 1), row(4, 1)};
+  for (std::uint32_t i = 0; i < sight_names.size(); ++i) rows[i].sight = Sight(i);
+  EXPECT_THAT(filtered(rows, "sight=seen"), ElementsAre(0));
+  EXPECT_THAT(filtered(rows, "sight=hidden"), ElementsAre(1));
+  EXPECT_THAT(filtered(rows, "sight!=ray"), ElementsAre(0, 1, 3)); // not of what nobody knows
+  EXPECT_THAT(filtered(rows, "sight=share node=3"), ElementsAre(3));
+  EXPECT_EQ(scalar_of(rows[4], Column::sight), std::nullopt);
+  EXPECT_THAT(read_filter("sight=3").error,
+              HasSubstr("\"sight=3\": ends in none of seen hidden ray share"));
+}
+
 TEST(ClusterFilter, AcceptsNoNaNAndNothingUnknown) {
   const std::vector<ClusterRow> rows{row(0, 1, nan)};
   for (const char* text : {"share<1", "share>1", "share=1", "share!=1", "error>=0", "truth!=1"})

@@ -98,6 +98,16 @@ TEST(CutOverlay, DrawsLinesToRepresentativesThatTellWhetherTheyAreSeen) {
   EXPECT_THAT(overlay.points, SizeIs(3)) << "and the shading point";
 }
 
+TEST(CutOverlay, DrawsLinesThatTellHowItWasFoundWhatIsSeen) {
+  std::vector<ClusterRow> rows{boxed_row(0, 1), boxed_row(1, 1), boxed_row(2, 1), boxed_row(3, 1)};
+  for (std::uint32_t i = 0; i < rows.size(); ++i) rows[i].sight = Sight(i);
+  rows[1].visible = false;
+  const Overlay overlay = overlay_of(shaded_at, none, rows, only_lines());
+  ASSERT_THAT(overlay.lines, SizeIs(4));
+  const Rgba8 expected[] = {proven_seen_colour, proven_hidden_colour, seen_colour, share_colour};
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(overlay.lines[i].colour, expected[i]) << i;
+}
+
 TEST(CutOverlay, DrawsTheNormalAsAnArrowAsLongAsFitsTheScene) {
   OverlayOptions options;
   options.scene_diagonal = 100;

@@ -12,6 +12,7 @@
 
 #include <tests/viz/support/counterexample_file.h>
 #include <tests/viz/support/small_pictures.h>
+#include <viz/model/picture/lit_square.h>
 
 namespace lightcuts::viz {
 namespace {
@@ -92,6 +93,32 @@ TEST(Inspect, HasTheRadianceOfTheRenderedPixelByEveryMethodWithACut) {
       EXPECT_EQ(float(found.shadow_rays), frame->rendering().shadow_rays[i]) << method->name;
       EXPECT_EQ(found.emission, frame->rendering().emission[i]);
     }
+  }
+}
+
+TEST(Inspect, SaysHowTheVisibilityOfClustersOfASharedCutWasFound) {
+  const FrameKey key = small_key(methods::block_cuts);
+  const CutConfig config = Frame(key).cut();
+  for (const glm::uvec2 pixel : some_pixels) {
+    const Inspection found = inspect({key, pixel, {}});
+    const LitSquare lit(key.scene->view(), *key.scene->tree(), config, 1, pixel);
+    const auto sights = lit.sights(lit.index_of(pixel));
+    ASSERT_EQ(found.clusters.size(), sights.size());
+    for (std::size_t i = 0; i < sights.size(); ++i) EXPECT_EQ(found.clusters[i].sight, sights[i]);
+    const auto& block = lit.block(lit.index_of(pixel));
+    ASSERT_EQ(found.block.size(), block.size());
+    for (std::size_t i = 0; i < block.size(); ++i)
+      EXPECT_EQ(found.block[i], lit.pixels()[block[i]]);
+    EXPECT_EQ(std::ranges::count(found.block, pixel), 1);
+  }
+}
+
+TEST(Inspect, HasRaysAloneWhereEachPixelIsLitAlone) {
+  const Inspection found = inspect({small_key(), some_pixels[0], {}});
+  EXPECT_THAT(found.block, IsEmpty());
+  for (const ClusterRow& row : found.clusters) {
+    const bool matters = row.estimate != glm::dvec3(0) || !row.visible;
+    EXPECT_EQ(row.sight, matters ? std::optional(Sight::ray) : std::nullopt);
   }
 }
 

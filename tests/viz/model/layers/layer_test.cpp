@@ -59,7 +59,7 @@ Names names_where(Predicate&& holds) {
 
 TEST(Layer, CountsClustersRaysAndCasesInWholeNumbers) {
   EXPECT_EQ(names_where([](Layer layer) { return layer->whole_numbers; }),
-            (Names{"cut-size", "shadow-rays", "clairvoyant", "violations"}));
+            (Names{"cut-size", "shadow-rays", "block-size", "clairvoyant", "violations"}));
 }
 
 TEST(Layer, NeedsTheReferenceForTrueErrorsAndTheTruthOnlyForWhatTheOracleSays) {
@@ -67,6 +67,8 @@ TEST(Layer, NeedsTheReferenceForTrueErrorsAndTheTruthOnlyForWhatTheOracleSays) {
             (Names{"error", "slack"}));
   EXPECT_EQ(names_where([](Layer layer) { return layer.needs_truth(); }),
             (Names{"clairvoyant", "violations"}));
+  EXPECT_EQ(names_where([](Layer layer) { return layer.needs_blocks(); }),
+            (Names{"block-size", "proven"}));
 }
 
 TEST(Layer, HasEitherAValueOrAColour) {

@@ -24,9 +24,9 @@ constexpr std::size_t frame_pixels = std::size_t(frame_size.x) * frame_size.y;
 
 /// All that any layer needs, whole.
 const LayerSources& whole() {
-  static const LayerSources sources{made<Frame>(small_key()),
-                                    made<Frame>(small_key(methods::reference)),
-                                    made<TruthPicture>(small_key())};
+  static const LayerSources sources{
+      made<Frame>(small_key()), made<Frame>(small_key(methods::reference)),
+      made<TruthPicture>(small_key()), made<BlockPicture>(small_key(methods::block_cuts))};
   return sources;
 }
 
@@ -38,6 +38,8 @@ double difference(const glm::vec3& a, const glm::vec3& b) {
 
 /// The formulas that LayerInfo::meaning states, written anew.
 double expected(Layer layer, std::size_t i) {
+  if (layer == layers::block_size) return whole().blocks->block_size()[i];
+  if (layer == layers::proven) return whole().blocks->proven()[i];
   const Rendering& v = whole().frame->rendering();
   const Rendering& r = whole().reference->rendering();
   const double floor = 3 * double(small_scene()->black_level());
