@@ -35,7 +35,7 @@ TEST(SubjectOption, JudgesAForeignTree) {
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("All properties hold."),
                     HasSubstr("not judged: occlusion, pictures, random cuts, block bounds, "
-                              "lights with profiles "
+                              "lights with profiles, proven visibility "
                               "(brute tree (libbrute_tree.so) does not offer them)")));
 }
 
@@ -47,7 +47,7 @@ TEST(SubjectOption, TellsWhatWasNotJudged) {
   EXPECT_THAT(result["not_judged"],
               ElementsAre("lower bounds", "estimates", "cuts", "sampling", "refinement order",
                           "occlusion", "pictures", "random cuts", "block bounds",
-                          "lights with profiles"));
+                          "lights with profiles", "proven visibility"));
 }
 
 TEST(SubjectOption, RunsTheCatalogueAndSavesTheFirstViolation) {

@@ -222,9 +222,12 @@ TEST(Check, ConvictsAnOccluderThatMissesTheLastTriangles) {
   add_quad(scene, {-1.4F, 0.5F, 0.5F}, {-0.4F, 0.5F, 0.5F}, {-0.4F, 0.5F, -0.5F},
            {-1.4F, 0.5F, -0.5F});
   const CheckResult result = check(view, *library_subject(), check_config(6'000));
-  EXPECT_THAT(violated(result.tally), ElementsAre(occlusion_checked));
+  EXPECT_THAT(violated(result.tally),
+              ElementsAre(occlusion_checked, Property::proven_visibility_holds));
   EXPECT_THAT(result.tally[occlusion_checked].first_violation,
               testing::HasSubstr("seen, by brute force blocked"));
+  EXPECT_THAT(result.tally[Property::proven_visibility_holds].first_violation,
+              testing::HasSubstr("but blocked"));
 }
 
 TEST(Check, ConvictsAnOccluderThatHasTrianglesTooMany) {
