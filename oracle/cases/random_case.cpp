@@ -89,7 +89,8 @@ Case lottery(Dice& dice) {
 const std::vector<std::uint32_t>& ladder() {
   static const std::vector<std::uint32_t> list = [] {
     std::vector<std::uint32_t> sizes;
-    const auto add = [&sizes](std::uint32_t first, std::uint32_t last, std::vector<int> off) {
+    const auto add = [&sizes](std::uint32_t first, std::uint32_t last,
+                              const std::vector<int>& off) {
       for (std::uint32_t power = first; power <= last; power *= 2)
         for (const int i : off) sizes.push_back(power + std::uint32_t(i));
     };

@@ -32,7 +32,7 @@ Case things_over_a_floor(Dice& dice, float unit) {
     add_quad(c, corner, unit * glm::vec3(1, 0, 0),
              unit * (upright ? glm::vec3(0, 0.5F, 0) : glm::vec3(0, 0, -1)));
   }
-  const auto floor = std::ptrdiff_t(2 * dice.below(blockers + 1));
+  const auto floor = 2 * std::ptrdiff_t(dice.below(blockers + 1));
   Case ground;
   add_quad(ground, unit * glm::vec3(-4, 0, 4), unit * glm::vec3(8, 0, 0),
            unit * glm::vec3(0, 0, -8));

@@ -70,7 +70,8 @@ struct Block {
                          std::max(1.0F, glm::length(point.position()) * 0x1p-4F);
     const float turn = dice.number() < 0.5 ? 0 : float(dice.number()) * 0.5F;
     for (std::uint32_t i = 0; i < side * side; ++i) {
-      const glm::vec2 place(float(i % side), float(i / side));
+      const std::uint32_t column = i % side, row = i / side;
+      const glm::vec2 place{float(column), float(row)};
       if (i == own) {
         points.push_back({point, place});
         continue;
