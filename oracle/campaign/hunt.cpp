@@ -8,6 +8,9 @@
 
 #include <unistd.h>
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <lightcuts/core/input_error.h>
 #include <lightcuts/core/jobs/seconds_since.h>
 #include <oracle/campaign/ladder.h>
@@ -36,6 +39,55 @@ std::uint32_t least_lights_of(const Subject& subject, const Counterexample& c) {
   return hold ? count : 0;
 }
 
+/// What a case has shown.
+struct Outcome {
+  std::size_t lights = 0; ///< 0: it was not given to the subject
+  Tally tally;
+};
+
+Outcome outcome_of(const Subject& subject, std::uint64_t seed, std::uint64_t index) {
+  const Case on = random_case(seed, index);
+  Outcome outcome;
+  if (!takes(subject.parts(), on.lights)) return outcome;
+  outcome.lights = on.lights.size();
+  check_case(subject, on, index, outcome.tally);
+  return outcome;
+}
+
+/// Judges cases of few lights, some ahead of the one that is asked for, on several threads.
+class Outcomes {
+public:
+  Outcomes(const Subject& subject, const HuntConfig& config)
+      : subject_(subject), config_(config),
+        arena_(config.threads == 0 ? tbb::task_arena::automatic : int(config.threads)) {}
+
+  /// index: ascending from call to call, many_lights_at() none.
+  const Outcome& at(std::uint64_t index) {
+    if (index >= first_ + ahead_.size()) judge_from(index);
+    return ahead_[std::size_t(index - first_)];
+  }
+
+private:
+  void judge_from(std::uint64_t index) {
+    first_ = index;
+    constexpr std::uint64_t each = 32;
+    const auto threads = std::uint64_t(arena_.max_concurrency());
+    ahead_.assign(threads == 1 ? 1 : std::min(each * threads, config_.cases - index), {});
+    arena_.execute([&] {
+      tbb::parallel_for(std::size_t(0), ahead_.size(), [&](std::size_t i) {
+        if (many_lights_at(first_ + i) == 0)
+          ahead_[i] = outcome_of(subject_, config_.seed, first_ + i);
+      });
+    });
+  }
+
+  const Subject& subject_;
+  const HuntConfig& config_;
+  tbb::task_arena arena_;
+  std::uint64_t first_ = 0;
+  std::vector<Outcome> ahead_;
+};
+
 } // namespace
 
 HuntResult hunt(const Subject& subject, const HuntConfig& config) {
@@ -45,6 +97,7 @@ HuntResult hunt(const Subject& subject, const HuntConfig& config) {
     return in_time && !config.progress.cancelled();
   };
   HuntResult result;
+  Outcomes outcomes(subject, config);
   Ladder ladder;
   // Where the machine is busy, wall time says little of the subject.
   const auto clock = [&, begun = Clock::now()] {
@@ -56,13 +109,12 @@ HuntResult hunt(const Subject& subject, const HuntConfig& config) {
     const std::uint32_t many = many_lights_at(index);
     // Once something is found, large cases would say the same at a hundred times the price.
     if (many > 0 && (result.found || !ladder.dares(many))) continue;
-    const Case on = random_case(config.seed, index);
-    if (!takes(subject.parts(), on.lights)) continue;
-    Tally tally;
     const double begun = clock();
-    check_case(subject, on, index, tally);
+    const Outcome outcome = many > 0 ? outcome_of(subject, config.seed, index) : outcomes.at(index);
+    if (outcome.lights == 0 && outcome.tally == Tally{}) continue;
     if (many > 0) ladder.went(many, clock() - begun);
-    result.most_lights = std::max(result.most_lights, on.lights.size());
+    const Tally& tally = outcome.tally;
+    result.most_lights = std::max(result.most_lights, outcome.lights);
     result.tally.merge(tally);
     config.progress.report(double(index + 1) / double(config.cases));
     const std::vector<Property> list = broken(tally);
@@ -75,7 +127,8 @@ HuntResult hunt(const Subject& subject, const HuntConfig& config) {
     }
     if (!result.found || distance_from_cause(subject, property) <
                              distance_from_cause(subject, result.found->property))
-      result.found = {property, on, tally[property].first_violation, index};
+      result.found = {property, random_case(config.seed, index), tally[property].first_violation,
+                      index};
   }
   if (!result.found) result.seconds = seconds_since(start);
   return result;

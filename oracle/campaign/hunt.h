@@ -17,6 +17,7 @@ struct HuntConfig {
   bool waste = true;            ///< whether waste counts as found; default true
   std::uint64_t further = 0;    ///< cases judged after the first that fails, in search of one that
                                 ///< fails a property nearer to the cause; default 0
+  unsigned threads = 1;         ///< 0: one per core; the result is the same. Default 1
   Progress progress;            ///< asked before each case whether to end, and told after it
 };
 

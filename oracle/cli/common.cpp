@@ -45,9 +45,7 @@ std::vector<std::string> method_names() {
 void add_common_options(CLI::App& command, CommonOptions& options) {
   options::add_scene_options(command, options.open, "--size");
   add_seed_option(command, options);
-  command.add_option("--threads", options.threads, "0: one per core")
-      ->check(CLI::Range(0U, max_threads))
-      ->capture_default_str();
+  add_threads_option(command, options);
   options::add_max_cut_option(command, options.max_cut);
   add_json_option(command, options);
 }
@@ -55,6 +53,12 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
 void add_seed_option(CLI::App& command, CommonOptions& options) {
   command.add_option("--seed", options.seed, "of every random choice")
       ->check(options::check_not_negative)
+      ->capture_default_str();
+}
+
+void add_threads_option(CLI::App& command, CommonOptions& options) {
+  command.add_option("--threads", options.threads, "0: one per core")
+      ->check(CLI::Range(0U, max_threads))
       ->capture_default_str();
 }
 

@@ -41,6 +41,7 @@ struct CommonOptions {
 /// Adds what add_scene_options() does, --seed, --threads, --max-cut and --json.
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_seed_option(CLI::App& command, CommonOptions& options);
+void add_threads_option(CLI::App& command, CommonOptions& options);
 void add_json_option(CLI::App& command, CommonOptions& options);
 void add_out_option(CLI::App& command, CommonOptions& options);
 

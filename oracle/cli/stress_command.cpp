@@ -29,6 +29,7 @@ oracle::HuntResult hunted(const StressOptions& options, const oracle::Subject& s
   config.cases = *options::parse_count(options.cases);
   config.waste = oracle::is_library(subject);
   config.further = 200;
+  config.threads = options.threads;
   ProgressLine line("stress " + options.subject);
   config.progress = line.progress();
   return hunt(subject, config);
@@ -99,6 +100,7 @@ int run(const StressOptions& options) {
 void add_stress_command(CLI::App& app, Action& chosen) {
   auto options = std::make_shared<StressOptions>();
   options->cases = "10000";
+  options->threads = 1;
   options->out = "out/stress";
   CLI::App* command = app.add_subcommand(
       "stress", "Check every property on random cases of what this field finds hard, until one "
@@ -110,6 +112,7 @@ void add_stress_command(CLI::App& app, Action& chosen) {
       ->add_flag("--catalogue", options->catalogue,
                  "named cases, each of which is known to be hard, in place of random ones")
       ->excludes("--cases");
+  add_threads_option(*command, *options);
   add_seed_option(*command, *options);
   add_subject_options(*command, *options);
   command->add_option("--out", options->out, "folder for counterexample-PROPERTY.json")

@@ -24,6 +24,17 @@ TEST(StressCommand, PrintsATableOfAllProperties) {
   EXPECT_TRUE(oracle.files().empty());
 }
 
+TEST(StressCommand, PrintsTheSameTableByAnyNumberOfThreads) {
+  const auto table = [](const std::string& threads) {
+    const std::string out =
+        OracleProcess().run({"stress", "--threads", threads, "--cases", "150"}).out;
+    return out.substr(std::min(out.size(), out.find("\nproperty"))); // the first line has the time
+  };
+  EXPECT_THAT(table("1"), HasSubstr("All properties hold."));
+  EXPECT_EQ(table("3"), table("1"));
+  EXPECT_EQ(table("0"), table("1"));
+}
+
 TEST(StressCommand, SavesWhatItFindsAndSaysHowToFindItAgain) {
   const OracleProcess oracle;
   const Outcome outcome =

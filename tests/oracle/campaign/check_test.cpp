@@ -81,7 +81,7 @@ TEST(Check, VisitsAtLeastSoManyPairs) {
 }
 
 TEST(Check, JudgesTwoCutsAtEachPointAndAnExactOneAtEveryEighth) {
-  const CheckResult result = check_library(floor_scene(10), check_config(19 * 17));
+  const CheckResult result = check_library(floor_scene(10), check_config(19U * 17));
   EXPECT_EQ(result.points, 17U);
   // None at the two beside lights; and three of the excerpt at the first one.
   EXPECT_EQ(result.tally[Property::cut_partitions_lights].cases, 2U * (17 - 2) + 3 + 3);
@@ -96,13 +96,13 @@ Scene diffuse_floor_scene(std::uint32_t lights) {
 }
 
 TEST(Check, SweepsBoundsOnDiffuseSurfacesUnderOmniLights) {
-  const CheckResult swept = check_library(diffuse_floor_scene(100), check_config(199 * 320));
+  const CheckResult swept = check_library(diffuse_floor_scene(100), check_config(199U * 320));
   EXPECT_EQ(swept.points, 320U);
   EXPECT_EQ(swept.swept_pairs, 199U * (320 - 320 / points_per_full_check));
   EXPECT_GE(swept.tally[Property::bound_dominates_contribution].cases, swept.pairs);
   EXPECT_GT(swept.tally[Property::bound_dominates_contribution].worst_ratio, 0.5);
   EXPECT_THAT(violated(swept.tally), IsEmpty());
-  EXPECT_EQ(check_library(floor_scene(100), check_config(199 * 320)).swept_pairs, 0U);
+  EXPECT_EQ(check_library(floor_scene(100), check_config(199U * 320)).swept_pairs, 0U);
 }
 
 /// Of one light, too low.
@@ -117,18 +117,18 @@ struct LowOfLeaves : LibraryTree {
 TEST(Check, ConvictsALowBoundWhereBoundsAreSwept) {
   const Scene scene = diffuse_floor_scene(100);
   const CheckResult result =
-      check(SceneView(scene), subject_with<LowOfLeaves>(), check_config(199 * 3200));
+      check(SceneView(scene), subject_with<LowOfLeaves>(), check_config(199U * 3200));
   const std::uint64_t full = 3200 / points_per_full_check;
   EXPECT_GT(result.tally[Property::bound_dominates_contribution].violations, 3 * full);
 }
 
 TEST(Check, BoundsBlocksOfNeighbouringPixels) {
   const Scene scene = shaded_floor_scene(40);
-  const CheckResult result = check_library(scene, check_config(79 * 64));
+  const CheckResult result = check_library(scene, check_config(79U * 64));
   // At places 1 and 33 three points and more, each by all nodes; an excerpt's block is one point.
   EXPECT_GT(result.tally[Property::block_bound_dominates].cases, 2 * 3 * 79U);
   const auto subject = mutant_named("block-corner-forgotten")->subject();
-  const Tally tally = check(SceneView(scene), *subject, check_config(79 * 640)).tally;
+  const Tally tally = check(SceneView(scene), *subject, check_config(79U * 640)).tally;
   EXPECT_THAT(violated(tally), ElementsAre(Property::block_bound_dominates));
 }
 
@@ -137,7 +137,7 @@ TEST(Check, GoesOnAsIfItHadNotStopped) {
     const Scene scene = swept ? diffuse_floor_scene(30) : shaded_floor_scene(30);
     const SceneView view(scene);
     const auto subject = library_subject();
-    const CheckResult whole = check(view, *subject, check_config(59 * 600));
+    const CheckResult whole = check(view, *subject, check_config(59U * 600));
     CheckResult result;
     for (const std::uint64_t points : {1U, 70U, 600U}) {
       result = check(view, *subject, check_config(59 * points), result);
@@ -153,7 +153,7 @@ TEST(Check, GoesOnAsIfItHadNotStopped) {
 TEST(Check, EndsWhereItIsCancelledAndGoesOnFromThere) {
   const Scene scene = shaded_floor_scene(30);
   const SceneView view(scene);
-  CheckConfig config = check_config(59 * 20'000);
+  CheckConfig config = check_config(59U * 20'000);
   int asked = 0;
   config.progress = Progress::until([&asked] { return ++asked == 2; });
   const CheckResult part = check(view, *library_subject(), config);

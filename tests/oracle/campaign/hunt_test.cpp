@@ -99,6 +99,27 @@ TEST(Hunt, FindsWhatIsBrokenAndTellsTheCase) {
   EXPECT_EQ(result.tally[result.found->property].first_violation, result.found->message);
 }
 
+TEST(Hunt, FindsTheSameByAnyNumberOfThreads) {
+  for (const char* name : {"threshold-one-percent-loose", "cone-one-in-a-million"}) {
+    const auto subject = mutant_named(name)->subject();
+    HuntConfig config = config_of(600, 1);
+    config.further = 50;
+    const HuntResult one = hunt(*subject, config);
+    ASSERT_TRUE(one.found) << name;
+    for (const unsigned threads : {2U, 3U, 0U}) {
+      config.threads = threads;
+      const HuntResult many = hunt(*subject, config);
+      ASSERT_TRUE(many.found) << name;
+      EXPECT_EQ(many.cases, one.cases) << name;
+      EXPECT_EQ(many.found->message, one.found->message) << name;
+      EXPECT_EQ(many.found->index, one.found->index) << name;
+      EXPECT_EQ(text_of(many.found->on), text_of(one.found->on)) << name;
+      EXPECT_EQ(many.tally, one.tally) << name;
+      EXPECT_EQ(many.most_lights, one.most_lights) << name;
+    }
+  }
+}
+
 TEST(Hunt, FindsTheSameEachTimeHoweverLongItTakes) {
   const MadeSubject subject = subject_with<HalfBound>();
   for (const std::uint64_t seed : {1U, 2U, 3U}) {

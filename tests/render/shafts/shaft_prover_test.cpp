@@ -99,10 +99,11 @@ struct SlopeBesideBox {
   SlopeBesideBox() {
     mesh.positions = {{-1, -1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, 1, 1}};
     mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
-    for (int i = 0; i < 16; ++i) {
-      const Hit hit{0, {0.3F + 0.01F * float(i % 4), 0.3F + 0.01F * float(i / 4)}, 1};
-      origins.push_back(surface_point(mesh, hit, {1, -1, 0}).ray_origin);
-    }
+    for (int u = 0; u < 4; ++u)
+      for (int v = 0; v < 4; ++v) {
+        const Hit hit{0, {0.3F + 0.01F * float(u), 0.3F + 0.01F * float(v)}, 1};
+        origins.push_back(surface_point(mesh, hit, {1, -1, 0}).ray_origin);
+      }
     for (int i = 0; i < 4; ++i) lights.add_omni({-3, 3 + 0.1F * float(i), 3}, glm::vec3(1));
     for (int i = 0; i < 400; ++i) { // a wall of strips, within the box around the shaft
       const auto first = std::uint32_t(mesh.positions.size());
