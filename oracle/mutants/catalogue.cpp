@@ -8,10 +8,9 @@ namespace lightcuts::oracle {
 std::span<const Mutant> mutants() {
   static const std::vector<Mutant> all = [] {
     std::vector<Mutant> list;
-    for (const auto group :
-         {bound_mutants(), tree_mutants(), cut_mutants(), sampling_mutants(), shading_mutants(),
-          subtle_mutants(), size_mutants(), age_mutants(), block_mutants(), profile_mutants(),
-          shaft_mutants()})
+    for (const auto group : {bound_mutants(), tree_mutants(), cut_mutants(), sampling_mutants(),
+                             shading_mutants(), subtle_mutants(), size_mutants(), age_mutants(),
+                             block_mutants(), profile_mutants(), shaft_mutants()})
       list.insert(list.end(), group.begin(), group.end());
     return list;
   }();

@@ -59,7 +59,8 @@ public:
   /// point and a light, or so many of them, drawn by the place, if they are more.
   void proofs(const Subject& subject, const SceneView& view, const LightTree& tree,
               std::span<const VisiblePoint> points, std::uint64_t most) const;
-  /// A picture of the case's triangles, proofs for all that is seen at once, and rays from what is seen to all lights.
+  /// A picture of the case's triangles, proofs for all that is seen at once, and rays from what is
+  /// seen to all lights.
   void picture(const Subject& subject, const Case& on) const;
 
   /// What changes of the case must not matter.
