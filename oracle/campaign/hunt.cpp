@@ -41,33 +41,32 @@ std::uint32_t least_lights_of(const Subject& subject, const Counterexample& c) {
 
 /// What a case has shown.
 struct Outcome {
-  std::size_t lights = 0; ///< 0: it was not given to the subject
+  bool judged = false; ///< false: its lights are not for the subject
+  std::size_t lights = 0;
   Tally tally;
 };
 
-Outcome outcome_of(const Subject& subject, std::uint64_t seed, std::uint64_t index) {
-  const Case on = random_case(seed, index);
-  Outcome outcome;
-  if (!takes(subject.parts(), on.lights)) return outcome;
-  outcome.lights = on.lights.size();
-  check_case(subject, on, index, outcome.tally);
-  return outcome;
-}
-
-/// Judges cases of few lights, some ahead of the one that is asked for, on several threads.
+/// Judges cases: of few lights, some ahead of the one that is asked for, on several threads.
 class Outcomes {
 public:
   Outcomes(const Subject& subject, const HuntConfig& config)
       : subject_(subject), config_(config),
         arena_(config.threads == 0 ? tbb::task_arena::automatic : int(config.threads)) {}
 
-  /// index: ascending from call to call, many_lights_at() none.
+  /// index: ascending from call to call. Valid until the next call.
   const Outcome& at(std::uint64_t index) {
+    if (many_lights_at(index) > 0) return large_ = outcome_of(index);
     if (index >= first_ + ahead_.size()) judge_from(index);
     return ahead_[std::size_t(index - first_)];
   }
 
 private:
+  [[nodiscard]] Outcome outcome_of(std::uint64_t index) const {
+    const Case on = random_case(config_.seed, index);
+    Outcome outcome{takes(subject_.parts(), on.lights), on.lights.size(), {}};
+    if (outcome.judged) check_case(subject_, on, index, outcome.tally);
+    return outcome;
+  }
   void judge_from(std::uint64_t index) {
     first_ = index;
     constexpr std::uint64_t each = 32;
@@ -75,8 +74,7 @@ private:
     ahead_.assign(threads == 1 ? 1 : std::min(each * threads, config_.cases - index), {});
     arena_.execute([&] {
       tbb::parallel_for(std::size_t(0), ahead_.size(), [&](std::size_t i) {
-        if (many_lights_at(first_ + i) == 0)
-          ahead_[i] = outcome_of(subject_, config_.seed, first_ + i);
+        if (many_lights_at(first_ + i) == 0) ahead_[i] = outcome_of(first_ + i);
       });
     });
   }
@@ -85,7 +83,8 @@ private:
   const HuntConfig& config_;
   tbb::task_arena arena_;
   std::uint64_t first_ = 0;
-  std::vector<Outcome> ahead_;
+  std::vector<Outcome> ahead_; ///< of first_ and what follows
+  Outcome large_;
 };
 
 } // namespace
@@ -110,8 +109,8 @@ HuntResult hunt(const Subject& subject, const HuntConfig& config) {
     // Once something is found, large cases would say the same at a hundred times the price.
     if (many > 0 && (result.found || !ladder.dares(many))) continue;
     const double begun = clock();
-    const Outcome outcome = many > 0 ? outcome_of(subject, config.seed, index) : outcomes.at(index);
-    if (outcome.lights == 0 && outcome.tally == Tally{}) continue;
+    const Outcome& outcome = outcomes.at(index);
+    if (!outcome.judged) continue;
     if (many > 0) ladder.went(many, clock() - begun);
     const Tally& tally = outcome.tally;
     result.most_lights = std::max(result.most_lights, outcome.lights);

@@ -108,11 +108,12 @@ void add_stress_command(CLI::App& app, Action& chosen) {
   command->add_option("--cases", options->cases, "random cases at most, such as 1000000 or 1e6")
       ->check(options::check_count)
       ->capture_default_str();
+  add_threads_option(*command, *options);
   command
       ->add_flag("--catalogue", options->catalogue,
                  "named cases, each of which is known to be hard, in place of random ones")
-      ->excludes("--cases");
-  add_threads_option(*command, *options);
+      ->excludes("--cases")
+      ->excludes("--threads");
   add_seed_option(*command, *options);
   add_subject_options(*command, *options);
   command->add_option("--out", options->out, "folder for counterexample-PROPERTY.json")

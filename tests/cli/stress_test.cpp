@@ -75,6 +75,7 @@ TEST(StressCommand, PrintsJsonAndNothingElse) {
 
 TEST(StressCommand, HasEitherNamedCasesOrRandomOnes) {
   EXPECT_EQ(OracleProcess().run({"stress", "--catalogue", "--cases", "5"}).exit_code, 2);
+  EXPECT_EQ(OracleProcess().run({"stress", "--catalogue", "--threads", "2"}).exit_code, 2);
 }
 
 TEST(StressCommand, RefusesUnknownSubjectsAndFolders) {

@@ -10,25 +10,18 @@ std::vector<Light> some(int count = 60) {
   });
 }
 
-Case by_threshold(float threshold) {
+Case by_threshold(float threshold, std::uint32_t most_clusters = CutConfig().max_size) {
   Case c = lit(some());
   c.cut.threshold = threshold;
+  c.cut.max_size = most_clusters;
   return c;
 }
 Case threshold_of_0() { return by_threshold(0); }
 Case threshold_of_1e_7() { return by_threshold(1e-7F); }
 Case threshold_of_1() { return by_threshold(1); }
 Case threshold_of_100() { return by_threshold(100); }
-Case one_cluster() {
-  Case c = by_threshold(0.01F);
-  c.cut.max_size = 1;
-  return c;
-}
-Case two_clusters() {
-  Case c = by_threshold(0);
-  c.cut.max_size = 2;
-  return c;
-}
+Case one_cluster() { return by_threshold(0.01F, 1); }
+Case two_clusters() { return by_threshold(0, 2); }
 Case black_level_above_all() {
   Case c = by_threshold(0);
   c.cut.black_level = 1e30F;

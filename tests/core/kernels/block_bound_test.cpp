@@ -135,17 +135,6 @@ TEST(BlockLowerBound, HoldsInManyBlocksOfAllKindsAndLobes) {
   EXPECT_GT(positive, 500);
 }
 
-TEST(BlockLowerBound, OfOnePointIsThatOfThePoint) {
-  LightSet lights;
-  lights.add_omni({1, 2, 2}, glm::vec3(1));
-  lights.add_omni({2, 1, 3}, glm::vec3(2));
-  const LightTree tree = build(lights);
-  const ShadingPoint point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {glm::vec3(0.5F), {}});
-  const ShadingBlock block({&point, 1});
-  EXPECT_GT(contribution_lower_bound(tree, 0, point).x, 0);
-  EXPECT_EQ(contribution_lower_bound(tree, 0, block), contribution_lower_bound(tree, 0, point));
-}
-
 /// Whether the truth convicts a block that was made of other points than it is judged by.
 bool convicts(int (*violations_of)(const BlockCase&, const ShadingBlock&),
               const std::function<void(std::vector<gen::View>&)>& alter) {
@@ -175,7 +164,7 @@ TEST(BlockBound, IsConvictedWhereItIsWrong) {
   EXPECT_TRUE(convicts(violations, [](Views& v) { v.back().to_viewer = v.front().to_viewer; }));
 }
 
-TEST(BlockBound, OfOnePointIsThatOfThePoint) {
+TEST(BlockBounds, OfOnePointAreThoseOfThePoint) {
   LightSet lights;
   lights.add_omni({1, 2, 2}, glm::vec3(1));
   lights.add_omni({2, 1, 3}, glm::vec3(2));
@@ -183,6 +172,8 @@ TEST(BlockBound, OfOnePointIsThatOfThePoint) {
   const ShadingPoint point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {glm::vec3(0.5F), {}});
   const ShadingBlock block({&point, 1});
   EXPECT_EQ(contribution_bound(tree, 0, block), contribution_bound(tree, 0, point));
+  EXPECT_GT(contribution_lower_bound(tree, 0, point).x, 0);
+  EXPECT_EQ(contribution_lower_bound(tree, 0, block), contribution_lower_bound(tree, 0, point));
 }
 
 TEST(ShadingBlock, RefusesNoPointsAndLobesOfDifferentShape) {

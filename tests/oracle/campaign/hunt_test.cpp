@@ -99,6 +99,17 @@ TEST(Hunt, FindsWhatIsBrokenAndTellsTheCase) {
   EXPECT_EQ(result.tally[result.found->property].first_violation, result.found->message);
 }
 
+TEST(Hunt, LeavesLargeCasesOutOnceSomethingIsFound) {
+  constexpr std::uint64_t past_the_first = 200;
+  HuntConfig config = config_of(past_the_first);
+  EXPECT_GE(hunt(*library_subject(), config).most_lights, 100U);
+  config.further = past_the_first;
+  const HuntResult result = hunt(subject_with<HalfBound>(), config);
+  ASSERT_TRUE(result.found);
+  EXPECT_EQ(result.cases, past_the_first);
+  EXPECT_LT(result.most_lights, 100U);
+}
+
 TEST(Hunt, FindsTheSameByAnyNumberOfThreads) {
   for (const char* name : {"threshold-one-percent-loose", "cone-one-in-a-million"}) {
     const auto subject = mutant_named(name)->subject();

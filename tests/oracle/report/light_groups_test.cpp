@@ -9,15 +9,31 @@
 namespace lightcuts::oracle {
 namespace {
 
-Scene grouped_cloud() {
+Scene grouped_cloud_scene() {
   Scene scene = make_builtin("cloud?lights=60&blocks=4");
   scene.image_size = {24, 18};
   scene.groups = {{"a", 0, 10}, {"b", 20, 15}, {"a", 35, 5}};
   return scene;
 }
 
+/// All lights at once, and the groups by themselves.
+struct GroupedCloud {
+  Scene scene = grouped_cloud_scene();
+  SceneView view{scene};
+  Rendering whole;
+  std::vector<GroupPicture> groups;
+
+  explicit GroupedCloud(Method of_whole) {
+    RenderConfig config;
+    config.method = of_whole;
+    whole = render(view, build(scene.lights), config);
+    config.method = methods::lightcuts;
+    groups = render_groups(view, config, {});
+  }
+};
+
 TEST(LightGroups, HaveEachLightOnce) {
-  const Scene scene = grouped_cloud();
+  const Scene scene = grouped_cloud_scene();
   const auto groups = lights_by_group(scene);
   ASSERT_EQ(groups.size(), 3U);
   EXPECT_EQ(groups[0].first, "a");
@@ -32,14 +48,9 @@ TEST(LightGroups, HaveEachLightOnce) {
 
 // What each group is off by, at most, sums to what their sum is.
 TEST(LightGroups, SumToThePicture) {
-  const Scene scene = grouped_cloud();
-  const SceneView view(scene);
-  const LightTree tree = build(scene.lights);
-  RenderConfig config;
-  config.method = methods::reference;
-  const Rendering whole = render(view, tree, config);
-  config.method = methods::lightcuts;
-  const std::vector<GroupPicture> groups = render_groups(view, config, {});
+  const GroupedCloud cloud(methods::reference);
+  const auto& whole = cloud.whole;
+  const auto& groups = cloud.groups;
   ASSERT_EQ(groups.size(), 3U);
   bool any = false;
   for (std::size_t i = 0; i < whole.radiance.size(); ++i)
@@ -56,14 +67,9 @@ TEST(LightGroups, SumToThePicture) {
 }
 
 TEST(LightGroups, AreLayersOfTheFilm) {
-  const Scene scene = grouped_cloud();
-  const SceneView view(scene);
-  const LightTree tree = build(scene.lights);
-  RenderConfig config;
-  config.method = methods::lightcuts;
-  const Rendering whole = render(view, tree, config);
-  const std::vector<GroupPicture> groups = render_groups(view, config, {});
-  const Film film = film_of({whole, nullptr, 0, "cloud", 1, 0.02F, groups});
+  const GroupedCloud cloud(methods::lightcuts);
+  const auto& groups = cloud.groups;
+  const Film film = film_of({cloud.whole, nullptr, 0, "cloud", 1, 0.02F, groups});
   for (const GroupPicture& group : groups) {
     const std::string prefix = "group." + group.name + ".";
     double light = 0, bound = 0;
@@ -74,7 +80,7 @@ TEST(LightGroups, AreLayersOfTheFilm) {
     EXPECT_GT(light, 0);
     EXPECT_NEAR(bound, group.certified_error(), 1e-6 * bound);
   }
-  EXPECT_EQ(film_of({whole}).channel_names().size() + 3 * 4, film.channel_names().size());
+  EXPECT_EQ(film_of({cloud.whole}).channel_names().size() + 3 * 4, film.channel_names().size());
 }
 
 } // namespace

@@ -44,7 +44,7 @@ private:
 
 LitSquare::LitSquare(const SceneView& view, const LightTree& tree, const CutConfig& config,
                      std::uint64_t seed, glm::uvec2 pixel)
-    : tree_(&tree), config_(config), square_(view, pixel), block_of_(square_.pixels.size()),
+    : tree_(&tree), square_(view, pixel), block_of_(square_.pixels.size()),
       proofs_(square_.pixels.size()), asked_(square_.pixels.size()) {
   const auto sees = [&](std::uint32_t p, std::uint32_t light) {
     asked_[p].push_back(light);

@@ -47,7 +47,6 @@ private:
   class Recorder;
 
   const LightTree* tree_;
-  CutConfig config_;
   PixelSquare square_;
   std::vector<BlockCut> cuts_;
   std::vector<std::vector<CutCluster>> clusters_;

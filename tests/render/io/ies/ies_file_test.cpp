@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <lightcuts/core/input_error.h>
@@ -111,31 +113,27 @@ TEST(IesFile, NotesWhatItLeavesOut) {
       std::vector<std::string>{"a.ies: TILT: taken as upright, factor 1, however it is turned"});
 }
 
+/// At these horizontal angles, at the horizon.
+void expect_candela(const std::string& photometry,
+                    const std::vector<std::pair<double, double>>& by_angle) {
+  const IesLuminaire luminaire = read_ies("a.ies", photometry);
+  for (const auto& [h, expected] : by_angle)
+    EXPECT_NEAR(candela(luminaire, 90, h), expected, 1e-4) << h << " degrees";
+}
+
 TEST(IesFile, IsMirroredAboutTwoPlanesWhereItEndsAt90) {
-  const IesLuminaire luminaire =
-      read_ies("a.ies", file_of("2 3", "0 90", "0 45 90", "9 1  9 2  9 4"));
-  for (const double h : {0.0, 180.0}) EXPECT_NEAR(candela(luminaire, 90, h), 1, 1e-4) << h;
-  for (const double h : {45.0, 135.0, 225.0, 315.0})
-    EXPECT_NEAR(candela(luminaire, 90, h), 2, 1e-4) << h;
-  for (const double h : {90.0, 270.0}) EXPECT_NEAR(candela(luminaire, 90, h), 4, 1e-4) << h;
+  expect_candela(file_of("2 3", "0 90", "0 45 90", "9 1  9 2  9 4"),
+                 {{0, 1}, {180, 1}, {45, 2}, {135, 2}, {225, 2}, {315, 2}, {90, 4}, {270, 4}});
 }
 
 TEST(IesFile, IsMirroredAboutOnePlaneWhereItEndsAt180) {
-  const IesLuminaire luminaire =
-      read_ies("a.ies", file_of("2 3", "0 90", "0 90 180", "9 1  9 2  9 4"));
-  EXPECT_NEAR(candela(luminaire, 90, 0), 1, 1e-4);
-  EXPECT_NEAR(candela(luminaire, 90, 90), 2, 1e-4);
-  EXPECT_NEAR(candela(luminaire, 90, 180), 4, 1e-4);
-  EXPECT_NEAR(candela(luminaire, 90, 270), 2, 1e-4);
+  expect_candela(file_of("2 3", "0 90", "0 90 180", "9 1  9 2  9 4"),
+                 {{0, 1}, {90, 2}, {180, 4}, {270, 2}});
 }
 
 TEST(IesFile, IsMirroredAboutTheOtherPlaneFrom90To270) {
-  const IesLuminaire luminaire =
-      read_ies("a.ies", file_of("2 3", "0 90", "90 180 270", "9 1  9 2  9 4"));
-  EXPECT_NEAR(candela(luminaire, 90, 90), 1, 1e-4);
-  EXPECT_NEAR(candela(luminaire, 90, 180), 2, 1e-4);
-  EXPECT_NEAR(candela(luminaire, 90, 0), 2, 1e-4);
-  EXPECT_NEAR(candela(luminaire, 90, 270), 4, 1e-4);
+  expect_candela(file_of("2 3", "0 90", "90 180 270", "9 1  9 2  9 4"),
+                 {{90, 1}, {180, 2}, {0, 2}, {270, 4}});
 }
 
 TEST(IesFile, GoesAllRoundWhereItEndsAt360) {
